@@ -1,0 +1,15 @@
+// base/door.h
+// Heavy foreign libraries (gmsh, PETSc, HDF5) stand behind doors: shared modules that are opened
+// when a command first needs them. A program that does not need one never pays for loading it.
+#pragma once
+
+#include "base/status.h"
+
+typedef void (*door_function)(void);
+
+// Opens stiffaxis_<name>.so beside the program or in ../lib/stiffaxis, once, and looks `symbol` up
+// in it. ERR_RESOURCE with the loader's reason.
+status door_open(const char *name, const char *symbol, door_function *out);
+
+// Whether the door was opened in this process: tests ask.
+int door_is_open(const char *name);

@@ -1,0 +1,48 @@
+#!/bin/sh
+# A file includes only its own room and rooms below it; a foreign header appears in its one door.
+set -eu
+cd "${STIFFAXIS_SOURCE:-$(dirname "$0")/..}"
+
+below() {
+    case $1 in
+    base) echo base ;;
+    io) echo 'base io' ;;
+    meshes) echo 'base meshes' ;;
+    section) echo 'base meshes section' ;;
+    rodsolver) echo 'base rodsolver' ;;
+    fem) echo 'base fem' ;;
+    reports) echo 'base io meshes section rodsolver fem reports' ;;
+    app) echo 'base io meshes section rodsolver fem reports app' ;;
+    esac
+}
+
+# header pattern, then the only file that may include it
+foreign='yaml.h io/yaml_door.c
+muParserDLL.h io/expression.c
+hdf5.h io/hdf5_door_module.c
+gmshc.h meshes/gmsh_door_module.c
+cholmod.h section/cholmod_door.c
+petsc fem/petsc_door_module.c
+mpi.h fem/petsc_door_module.c
+cairo reports/cairo_door.c'
+
+bad=0
+for room in base io meshes section rodsolver fem reports app; do
+    allowed=$(below $room | tr ' ' '|')
+    wrong=$(grep -nE '^#include "' $room/*.c $room/*.h | grep -vE "#include \"($allowed)/" || true)
+    if [ -n "$wrong" ]; then
+        printf '%s may include only %s:\n%s\n' "$room" "$allowed" "$wrong"
+        bad=1
+    fi
+done
+while read -r header door; do
+    wrong=$(grep -nE "^#include <$header" ./*/*.c ./*/*.h | grep -v "^./$door:" || true)
+    if [ -n "$wrong" ]; then
+        printf '<%s> belongs to %s:\n%s\n' "$header" "$door" "$wrong"
+        bad=1
+    fi
+done <<END
+$foreign
+END
+[ $bad = 0 ] && echo "layers: every include points down"
+exit $bad
