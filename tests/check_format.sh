@@ -3,6 +3,12 @@
 set -eu
 cd "${STIFFAXIS_SOURCE:-$(dirname "$0")/..}"
 files=$(find app base bench fem io meshes reports rodsolver section tests -name '*.[ch]' | sort)
-# shellcheck disable=SC2086
-clang-format --dry-run --Werror $files
-echo "format: $(echo "$files" | wc -l) files"
+bad=0
+for file in $files; do
+    if ! clang-format --dry-run --Werror "$file" >/dev/null 2>&1; then
+        echo "$file is not formatted: ./run format"
+        bad=1
+    fi
+done
+[ $bad = 0 ] && echo "format: $(echo "$files" | wc -l) files as they should be"
+exit $bad
