@@ -43,8 +43,15 @@ typedef struct beam_centres {
 status beam_law_centres(const beam_law *law, beam_centres *out);
 
 // As beam_law_centres, with x' the principal axis nearest to `near` (a declared symmetry axis, or
-// the last station's).
+// the last station's). principal_angle is then not reduced to (-pi/2, pi/2]: it stays within
+// pi/4 of `near`, and is `near` where isotropic.
 status beam_law_centres_near(const beam_law *law, double near, beam_centres *out);
+
+// The block (n_z, m_x, m_y) of the compliance F, inverted: EA, ESx, ... of a section free to shear
+// and twist,
+//   [[EA, ESx, -ESy], [ESx, EIxx, -EIxy], [-ESy, -EIxy, EIyy]] with ESx = int E y, ESy = int E x
+// false when F is not positive definite.
+bool beam_law_axial_bending(const mat6 *F, mat3 *out);
 
 // The same section seen from a frame at (x, y), turned by angle: K_h = Ad(T)^T K_g Ad(T), T =
 // (R_z(angle), (x, y, 0)).

@@ -275,7 +275,7 @@ double mat6_relative_error(mat6 a, mat6 b)
         for (int j = 0; j < 6; j++) {
             const double e = fabs(a.a[i][j] - b.a[i][j]) / sqrt(fabs(b.a[i][i] * b.a[j][j]));
             // written so that a NaN wins
-            worst = e <= worst ? worst : e;
+            worst = isnan(worst) || e <= worst ? worst : e;
         }
     }
     return worst;

@@ -51,7 +51,7 @@ function(room name)
     endif()
     our_code(${name})
     foreign(${name} LINK ${ARG_LINK} INCLUDE ${ARG_INCLUDE})
-    target_link_libraries(${name} PUBLIC ${ARG_UNPARSED_ARGUMENTS})
+    target_link_libraries(${name} PUBLIC ${ARG_UNPARSED_ARGUMENTS} m)
 endfunction()
 
 function(door name file)

@@ -1,0 +1,204 @@
+// app/case.c
+#include "app/case.h"
+
+#include <stdio.h>
+#include <string.h>
+
+static const key root_keys[] = {
+    {.name = "format",
+     .kind = KEY_INTEGER,
+     .min = 1,
+     .max = 1,
+     .required = true,
+     .offset = offsetof(case_file, format),
+     .about = "version of the case format; this program reads 1"},
+    {.name = "title",
+     .kind = KEY_TEXT,
+     .offset = offsetof(case_file, title),
+     .about = "one line for the report"},
+    {.name = "materials",
+     .kind = KEY_NAMED,
+     .max_count = 64,
+     .required = true,
+     .offset = offsetof(case_file, materials),
+     .table = &material_keys,
+     .about = "the materials by name"},
+    {.name = "section",
+     .kind = KEY_TABLE,
+     .required = true,
+     .offset = offsetof(case_file, section),
+     .table = &section_keys,
+     .about = "the cross section, which may vary along the rod"},
+    {.name = "rod",
+     .kind = KEY_TABLE,
+     .offset = offsetof(case_file, rod),
+     .table = &rod_keys,
+     .about = "the rod and its tendons"},
+    {.name = "fem",
+     .kind = KEY_TABLE,
+     .offset = offsetof(case_file, fem),
+     .table = &segment_keys,
+     .about = "a straight segment of the rod in 3D, for comparison"},
+};
+
+void case_keys(key_table *root, case_file *initial)
+{
+    *initial = (case_file){
+        .section = section_case_default(),
+        .rod = rod_case_default(),
+        .fem = segment_case_default(),
+    };
+    *root = (key_table){
+        .name = "case",
+        .size = sizeof(case_file),
+        .nkey = (int)(sizeof root_keys / sizeof *root_keys),
+        .keys = root_keys,
+        .initial = initial,
+        .about = "a stiffaxis case",
+    };
+}
+
+// the length comes first: expressions may use it as L
+static status peek_length(case_data *c, const key_table *table, const char *path)
+{
+    status st = OK;
+    bool found = false;
+    for (int i = 0; i < table->nkey && c->length <= 0; i++) {
+        if (strcmp(table->keys[i].name, "length") == 0) {
+            double length = 0;
+            TRY(config_peek_real(c->config, path, &table->keys[i], &length, &found));
+            c->length = found ? length : 0;
+        }
+    }
+
+done:
+    return st;
+}
+
+status case_place(const case_data *c, status st, mark at)
+{
+    char words[1024];
+    if (st != ERR_INPUT || strstr(status_message(), ": error: ")) {
+        return st;
+    }
+    (void)snprintf(words, sizeof words, "%s", status_message());
+    status_clear();
+    return config_fail(c->config, at, "%s", words);
+}
+
+static double last_station(const key_rows *stations)
+{
+    double last = 0;
+    for (int i = 0; i < stations->nrow * stations->ncol; i++) {
+        last = stations->a[i] > last ? stations->a[i] : last;
+    }
+    return last;
+}
+
+static status check_section(case_data *c)
+{
+    const key_rows *stations = &c->file.section.stations;
+    mark where = c->file.section.at;
+    status st =
+        case_place(c, section_case_bind(&c->file.section, &c->file.materials, &where), where);
+    if (st != OK) {
+        return st;
+    }
+    const double last = last_station(stations);
+    if (c->length <= 0) {
+        if (shapes_vary(c->shapes) && last <= 0) {
+            return config_fail(c->config, c->file.section.at,
+                               "the section varies along s, but nothing says how far: give "
+                               "rod.length, fem.length or section.stations");
+        }
+        c->length = last > 0 ? last : 1; // a section alone has no length, and nothing varies
+    }
+    for (int i = 0; i < stations->nrow * stations->ncol; i++) {
+        if (stations->a[i] < 0 || stations->a[i] > c->length) {
+            return config_fail(c->config, stations->at, "station %g m lies outside 0 to %g m",
+                               stations->a[i], c->length);
+        }
+    }
+    return OK;
+}
+
+static status check_parts(case_data *c)
+{
+    status st = OK;
+    mark where = {0};
+    TRY(check_section(c));
+    if (case_has_rod(c)) {
+        where = c->file.rod.at;
+        TRY(case_place(c, rod_case_check(&c->file.rod, &where), where));
+    }
+    if (case_has_segment(c)) {
+        where = c->file.fem.at;
+        TRY(case_place(c, segment_case_check(&c->file.fem, &where), where));
+        if (c->file.fem.section_at > c->length) {
+            st = config_fail(c->config, c->file.fem.at,
+                             "the segment's section at %g m lies beyond the rod's %g m",
+                             c->file.fem.section_at, c->length);
+        }
+    }
+
+done:
+    return st;
+}
+
+status case_open(const char *path, int noverride, const char *const *overrides, case_data *out)
+{
+    status st = OK;
+    case_data c = {0};
+    key_table root;
+    case_file initial;
+
+    TRY(config_open(path, noverride, overrides, &c.config));
+    TRY(peek_length(&c, &rod_keys, "rod.length"));
+    TRY(peek_length(&c, &segment_keys, "fem.length"));
+    if (c.length > 0) {
+        config_set_length(c.config, c.length);
+    }
+    case_keys(&root, &initial);
+    TRY(config_read(c.config, &root, &c.file));
+    c.shapes = (shape_list){c.file.section.shapes.count, c.file.section.shapes.items};
+    c.nmaterial = c.file.materials.count;
+    c.materials = c.file.materials.items;
+    TRY(check_parts(&c));
+    *out = c;
+    c = (case_data){0};
+
+done:
+    case_free(&c);
+    return st;
+}
+
+void case_free(case_data *c)
+{
+    config_free(c->config);
+    *c = (case_data){0};
+}
+
+bool case_has_rod(const case_data *c)
+{
+    return mark_given(c->file.rod.at);
+}
+
+bool case_has_segment(const case_data *c)
+{
+    return mark_given(c->file.fem.at);
+}
+
+static status need(const case_data *c, bool there, const char *part)
+{
+    return there ? OK : config_fail(c->config, (mark){1, 1}, "the case has no '%s'", part);
+}
+
+status case_need_rod(const case_data *c)
+{
+    return need(c, case_has_rod(c), "rod");
+}
+
+status case_need_segment(const case_data *c)
+{
+    return need(c, case_has_segment(c), "fem");
+}

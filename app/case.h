@@ -1,0 +1,50 @@
+// app/case.h
+// A whole case: the rooms' key tables put together, read, and checked for what no single room can
+// see.
+#pragma once
+
+#include "base/material.h"
+#include "fem/segment.h"
+#include "io/config.h"
+#include "rodsolver/rod.h"
+#include "section/section.h"
+
+// What the case file holds; a part is there where mark_given(part.at).
+typedef struct case_file {
+    mark at;
+    int format;
+    const char *title;  // NULL where not given
+    key_list materials; // of material
+    section_case section;
+    rod_case rod;
+    segment_case fem;
+} case_file;
+
+// A case that was read. Texts and expressions belong to `config`, which lives as long as this.
+typedef struct case_data {
+    case_file file;
+    config *config;
+    double length;     // of the rod, else of the segment, else up to the last station [m]
+    shape_list shapes; // of the section
+    int nmaterial;
+    const material *materials;
+} case_data;
+
+// Reads and checks. Every mistake is ERR_INPUT, "FILE:LINE:COL: error: ...".
+status case_open(const char *path, int noverride, const char *const *overrides, case_data *out);
+void case_free(case_data *c);
+
+bool case_has_rod(const case_data *c);
+bool case_has_segment(const case_data *c);
+
+// ERR_INPUT where the case lacks the part that a command is about.
+status case_need_rod(const case_data *c);
+status case_need_segment(const case_data *c);
+
+// The case's keys, for `schema`: *root and *initial (the defaults) are filled, root->initial points
+// to *initial.
+void case_keys(key_table *root, case_file *initial);
+
+// `st` as it is, unless it is ERR_INPUT without a place: then its message gets file, line and
+// column of `at`.
+status case_place(const case_data *c, status st, mark at);

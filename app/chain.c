@@ -1,0 +1,146 @@
+// app/chain.c
+#include "app/chain.h"
+
+#include "app/compare.h"
+#include "app/versions.h"
+#include "base/memory.h"
+
+#include <string.h>
+
+chain_parts chain_all_parts(const case_data *c)
+{
+    return (chain_parts){
+        .section = true,
+        .rod = case_has_rod(c),
+        .segment = case_has_segment(c),
+        .compare = true,
+        .pictures = true,
+    };
+}
+
+// the case's text, and below it what --set changed
+static status copy_text(const command *cmd, const case_data *c, run_result *out)
+{
+    status st = OK;
+    size_t length = 0;
+    const char *text = config_text(c->config, &length);
+    size_t room = length + 1;
+    for (int i = 0; i < cmd->noverride; i++) {
+        room += strlen(cmd->overrides[i]) + sizeof "# --set \n";
+    }
+    TRY(TAKE(out->case_text, room));
+    memcpy(out->case_text, text, length);
+    for (int i = 0; i < cmd->noverride; i++) {
+        length += (size_t)snprintf(out->case_text + length, room - length, "# --set %s\n",
+                                   cmd->overrides[i]);
+    }
+    out->case_length = length;
+
+done:
+    return st;
+}
+
+static status copy_materials(const case_data *c, run_result *out)
+{
+    status st = OK;
+    TRY(TAKE(out->materials, (size_t)c->nmaterial));
+    out->nmaterial = c->nmaterial;
+    for (int i = 0; i < c->nmaterial; i++) {
+        const char *name = c->materials[i].name;
+        char *copy = NULL;
+        out->materials[i] = c->materials[i];
+        out->materials[i].name = NULL;
+        TRY(TAKE(copy, strlen(name) + 1));
+        memcpy(copy, name, strlen(name));
+        out->materials[i].name = copy;
+    }
+
+done:
+    return st;
+}
+
+static void copy_title(const case_data *c, run_result *out)
+{
+    const char *title = c->file.title;
+    if (!title) {
+        const char *path = config_path(c->config), *slash = strrchr(path, '/');
+        title = slash ? slash + 1 : path;
+    }
+    (void)snprintf(out->title, sizeof out->title, "%s", title);
+}
+
+status chain_about(const command *cmd, const case_data *c, run_result *out)
+{
+    status st = OK;
+    copy_title(c, out);
+    TRY(copy_text(cmd, c, out));
+    TRY(copy_materials(c, out));
+
+done:
+    return st;
+}
+
+status chain_plane_mesh(const case_data *c, double s, int order, double size, mesh *out)
+{
+    status st = OK;
+    section_outline outline = {0};
+    mesh_options options = c->file.section.mesh;
+    options.order = order > 0 ? order : options.order;
+    options.size = size > 0 ? size : options.size;
+    TRY(case_place(c, shapes_at(c->shapes, s, &outline), c->file.section.at));
+    TRY(case_place(c, section_mesh_make(&outline, &options, out), c->file.section.at));
+
+done:
+    section_outline_free(&outline);
+    return st;
+}
+
+status chain_section(const case_data *c, bool mesh, run_result *out)
+{
+    status st = OK;
+    section_outline outline = {0};
+    const section_case *section = &c->file.section;
+    st = section_along(section, c->materials, c->length, &out->section);
+    TRY(case_place(c, st, section->at));
+    out->has_section = true;
+    out->section_model = section->model;
+    if (mesh) {
+        const double s = out->section.station[0].s;
+        TRY(case_place(c, shapes_at(c->shapes, s, &outline), section->at));
+        out->symmetry_turn = outline.has_symmetry ? outline.turn : 0;
+        TRY(section_mesh_at(section, s, &out->section_mesh));
+    }
+
+done:
+    section_outline_free(&outline);
+    return st;
+}
+
+status chain_run(const command *cmd, const case_data *c, chain_parts parts, run_result *out)
+{
+    status st = OK;
+    run_result r = {0};
+    TRY(chain_about(cmd, c, &r));
+    if (parts.section || parts.rod || parts.compare) {
+        command_progress(cmd, "section");
+        TRY(chain_section(c, parts.pictures, &r));
+    }
+    if (parts.rod) {
+        TRY(chain_rods(cmd, c, &r));
+    }
+    if (parts.segment) {
+        command_progress(cmd, "3D segment");
+        TRY(chain_segment(c, &r));
+    }
+    if (parts.compare && cmd->first_rank) {
+        TRY(compare_all(cmd, c, &r));
+    }
+    versions_loaded(r.versions, sizeof r.versions);
+    *out = r;
+    r = (run_result){0};
+
+done:
+    command_progress(cmd, NULL);
+    run_result_free(&r);
+    return st;
+}

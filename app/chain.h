@@ -1,0 +1,34 @@
+// app/chain.h
+// The whole order: case -> sections -> rods -> 3D segment -> comparisons. Each step starts only
+// what it needs: sections no MPI, rods with closed-form or mapped sections neither gmsh nor MPI.
+#pragma once
+
+#include "app/case.h"
+#include "app/command.h"
+#include "reports/result.h"
+
+typedef struct chain_parts {
+    bool section, rod, segment, compare;
+    bool pictures; // what only figures and the store need: the section's mesh
+} chain_parts;
+
+// Everything that the case asks for.
+chain_parts chain_all_parts(const case_data *c);
+
+// `out` keeps references to texts of the case, which must outlive it. cmd is asked for progress
+// only.
+status chain_run(const command *cmd, const case_data *c, chain_parts parts, run_result *out);
+
+// The steps. chain_about fills what does not need computing: title, text, materials.
+status chain_about(const command *cmd, const case_data *c, run_result *out);
+status chain_section(const case_data *c, bool mesh, run_result *out);
+status chain_rods(const command *cmd, const case_data *c, run_result *out); // after chain_section
+status chain_segment(const case_data *c, run_result *out);
+
+// The plane mesh of the section at arclength s: `order` and `size` of the elements, 0 for the
+// case's own.
+status chain_plane_mesh(const case_data *c, double s, int order, double size, mesh *out);
+
+// The angle between the tangents at the two ends of a shape, followed continuously along it: past
+// pi it goes on [rad].
+double chain_total_bend(int npose, const pose *shape);

@@ -1,0 +1,143 @@
+// app/chain_rod.c
+// Shapes for every row of tensions.
+#include "app/chain.h"
+#include "base/memory.h"
+
+#include <math.h>
+#include <string.h>
+
+// tangents for the total bend: 360 steps follow a rod that winds up many times
+enum { BEND_SAMPLES = 361 };
+
+double chain_total_bend(int npose, const pose *shape)
+{
+    const vec3 base = {{shape[0].R.a[0][2], shape[0].R.a[1][2], shape[0].R.a[2][2]}};
+    vec3 before = {{0, 0, 0}}; // direction in which the last tangent left the base's
+    double total = 0, sign = 1;
+    for (int i = 1; i < npose; i++) {
+        const vec3 t = {{shape[i].R.a[0][2], shape[i].R.a[1][2], shape[i].R.a[2][2]}};
+        const double along = vec3_dot(t, base);
+        const vec3 aside = vec3_sub(t, vec3_scale(along, base));
+        const double angle = atan2(vec3_norm(aside), along); // 0 to pi
+
+        // passing the base's tangent or its opposite turns the direction around: unfold there
+        sign = vec3_dot(aside, before) < 0 ? -sign : sign;
+        const double turns = round((total - sign * angle) / (2 * M_PI));
+        total = sign * angle + 2 * M_PI * turns;
+        before = vec3_norm(aside) > 0 ? aside : before;
+    }
+    return fabs(total);
+}
+
+static status take_run(int npoint, struct rod_run *run)
+{
+    status st = OK;
+    TRY(TAKE(run->s, (size_t)npoint));
+    TRY(TAKE(run->shape, (size_t)npoint));
+    TRY(TAKE(run->curvature, (size_t)npoint));
+
+done:
+    return st;
+}
+
+// how far the section reaches from its origin at arclength s
+static status section_reach(const case_data *c, double s, double *reach)
+{
+    section_outline outline = {0};
+    const status st = shapes_at(c->shapes, s, &outline);
+    *reach = outline.size;
+    section_outline_free(&outline);
+    return st;
+}
+
+// curvature along the shape and a bound of the axial strain in the section: |eps| + |kappa| times
+// the section's reach
+static status follow_strain(const case_data *c, const rod *r, int npoint, struct rod_run *run)
+{
+    status st = OK;
+    const bool vary = shapes_vary(c->shapes);
+    double reach = 0;
+    for (int i = 0; i < npoint; i++) {
+        vec6 xi;
+        TRY(rod_strain_at(r, run->s[i], &xi));
+        if (i == 0 || vary) {
+            TRY(section_reach(c, run->s[i], &reach));
+        }
+        memcpy(run->curvature[i], &xi.a[3], sizeof run->curvature[i]);
+        const double strain = fabs(xi.a[2] - 1) + hypot(xi.a[3], xi.a[4]) * reach;
+        run->largest_strain = fmax(run->largest_strain, strain);
+    }
+
+done:
+    return st;
+}
+
+static status solve_run(const case_data *c, rod *r, const double *tension, rod_result *rods,
+                        struct rod_run *run)
+{
+    status st = OK;
+    double s[BEND_SAMPLES];
+    pose *samples = NULL;
+    rod_solution solution = {.tendon_length = run->tendon_length};
+    TRY(TAKE(samples, BEND_SAMPLES));
+    TRY(take_run(rods->npoint, run));
+    memcpy(run->tension, tension, (size_t)rods->ntendon * sizeof *tension);
+    TRY(rod_solve(r, tension, &solution));
+    TRY(rod_shape(r, rods->npoint, run->s, run->shape));
+    TRY(rod_shape(r, BEND_SAMPLES, s, samples));
+    TRY(follow_strain(c, r, rods->npoint, run));
+    run->tip = solution.tip;
+    run->iterations = solution.iterations;
+    run->relative_error = solution.relative_error;
+    run->total_bend_rad = chain_total_bend(BEND_SAMPLES, samples);
+
+done:
+    free(samples);
+    return st;
+}
+
+static void name_tendons(const rod_case *rc, rod_result *rods)
+{
+    const tendon_spec *tendons = rc->tendons.items;
+    rods->ntendon = rc->tendons.count;
+    for (int i = 0; i < rods->ntendon; i++) {
+        char *name = rods->tendon_name[i];
+        if (tendons[i].name) {
+            (void)snprintf(name, sizeof rods->tendon_name[i], "%s", tendons[i].name);
+        } else {
+            (void)snprintf(name, sizeof rods->tendon_name[i], "tendon %d", i + 1);
+        }
+    }
+}
+
+status chain_rods(const command *cmd, const case_data *c, run_result *out)
+{
+    status st = OK;
+    const rod_case *rc = &c->file.rod;
+    const rod_options options = {.frame = rc->frame, .tolerance = rc->tolerance};
+    rod *r = NULL;
+    if (rc->tendons.count > RESULT_MAX_TENDONS) {
+        return config_fail(c->config, rc->tendons.at, "%d tendons: at most %d", rc->tendons.count,
+                           RESULT_MAX_TENDONS);
+    }
+    out->rod_length = rc->length;
+    out->rod.npoint = rc->points;
+    name_tendons(rc, &out->rod);
+    TRY(TAKE(out->rod.run, (size_t)rc->tensions.nrow));
+    st = rod_make(&out->section.along, rc->tendons.count, rc->tendons.items, &options, &r);
+    TRY(case_place(c, st, rc->at));
+    for (int i = 0; i < rc->tensions.nrow; i++) {
+        char words[48];
+        (void)snprintf(words, sizeof words, "rod %d of %d", i + 1, rc->tensions.nrow);
+        command_progress(cmd, words);
+        out->rod.nsolution = i + 1; // from here the result owns what solve_run takes
+        const double *tension = rc->tensions.a + (size_t)i * (size_t)rc->tensions.ncol;
+        st = solve_run(c, r, tension, &out->rod, &out->rod.run[i]);
+        TRY(case_place(c, st, rc->tensions.at));
+    }
+    out->has_rod = true;
+
+done:
+    rod_free(r);
+    return st;
+}

@@ -1,0 +1,62 @@
+// app/cmd_check.c
+// stiffaxis check CASE: reads the case, and freezes its shapes at both ends and in the middle.
+#include "app/case.h"
+#include "app/document.h"
+#include "io/json.h"
+
+static status write_check(const command *cmd, const case_data *c, FILE *stream)
+{
+    status st = OK;
+    json *j = NULL;
+    const int ntendon = c->file.rod.tendons.count, nload = c->file.fem.loads.count;
+    if (!cmd->json) {
+        fprintf(stream, "%s: good: %d materials, %d shapes", config_path(c->config), c->nmaterial,
+                c->shapes.count);
+        if (case_has_rod(c)) {
+            fprintf(stream, ", rod of %g mm with %d tendons and %d rows of tensions",
+                    1e3 * c->file.rod.length, ntendon, c->file.rod.tensions.nrow);
+        }
+        if (case_has_segment(c)) {
+            fprintf(stream, ", segment of %g mm with %d loads", 1e3 * c->file.fem.length, nload);
+        }
+        fputc('\n', stream);
+        return OK;
+    }
+    TRY(json_open(stream, &j));
+    json_object(j, NULL);
+    json_text(j, "schema", "stiffaxis/check/1");
+    json_flag(j, "valid", true);
+    json_text(j, "case", config_path(c->config));
+    json_text(j, "title", c->file.title ? c->file.title : "");
+    json_integer(j, "materials", c->nmaterial);
+    json_integer(j, "shapes", c->shapes.count);
+    json_flag(j, "has_rod", case_has_rod(c));
+    json_flag(j, "has_fem", case_has_segment(c));
+    json_object_end(j);
+    st = json_close(j);
+
+done:
+    return st;
+}
+
+status cmd_check(command *cmd)
+{
+    status st = OK;
+    case_data c = {0};
+    document d = {0};
+    TRY(case_open(cmd->argument, cmd->noverride, cmd->overrides, &c));
+    for (int i = 0; i <= 2; i++) {
+        section_outline outline = {0};
+        st = shapes_at(c.shapes, 0.5 * i * c.length, &outline);
+        section_outline_free(&outline);
+        TRY(case_place(&c, st, c.file.section.at));
+    }
+    TRY(document_begin(&d));
+    TRY(write_check(cmd, &c, d.stream));
+    TRY(document_end(&d, cmd, cmd->json ? "check.json" : "check.txt"));
+
+done:
+    document_free(&d);
+    case_free(&c);
+    return st;
+}

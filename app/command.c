@@ -1,0 +1,302 @@
+// app/command.c
+#include "app/command.h"
+
+#include "io/nearest.h"
+
+#include <errno.h>
+#include <limits.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+typedef enum option_id {
+    OPTION_JSON,
+    OPTION_OUT,
+    OPTION_FORCE,
+    OPTION_SET,
+    OPTION_QUIET,
+    OPTION_LINES,
+    OPTION_MARKDOWN,
+    OPTION_HELP,
+    OPTION_VERSION,
+    OPTION_COUNT
+} option_id;
+
+typedef struct option {
+    const char *name, *value; // value: what it is followed by, NULL for nothing
+    const char *about;
+} option;
+
+static const option options[OPTION_COUNT] = {
+    {"--json", NULL, "print exactly one JSON document on stdout (SI units)"},
+    {"--out", "DIR", "write the results to DIR, whole or not at all"},
+    {"--force", NULL, "replace an existing DIR that this program wrote"},
+    {"--set", "KEY=VALUE", "override a key of the case, e.g. --set section.model=classical"},
+    {"--quiet", NULL, "no progress and no hints on stderr"},
+    {"--lines", "N", "at most N lines of summary (run, report)"},
+    {"--markdown", NULL, "the key reference as Markdown (schema)"},
+    {"--help", NULL, "this help, or that of a command"},
+    {"--version", NULL, "the program's version"},
+};
+
+static status fail_unknown(const char *kind, const char *word, const nearest *near)
+{
+    char words[NEAREST_WORDS];
+    (void)nearest_words(near, words);
+    return status_fail(ERR_INPUT, "unknown %s '%s'%s", kind, word,
+                       words[0] ? words : ": see stiffaxis --help");
+}
+
+static status find_subcommand(const char *word, const subcommand **out)
+{
+    nearest near = nearest_to(word);
+    for (const subcommand *sub = subcommands(); sub->name; sub++) {
+        if (strcmp(sub->name, word) == 0) {
+            *out = sub;
+            return OK;
+        }
+        nearest_offer(&near, sub->name, sub->name);
+    }
+    return fail_unknown("command", word, &near);
+}
+
+// the option that `word` names; *value is what follows its '=', NULL without one
+static status find_option(const char *word, int *id, const char **value)
+{
+    char name[64];
+    const char *equals = strchr(word, '=');
+    const size_t length = equals ? (size_t)(equals - word) : strlen(word);
+    (void)snprintf(name, sizeof name, "%.*s", length < 63 ? (int)length : 63, word);
+    if (strcmp(name, "-h") == 0) {
+        (void)strcpy(name, options[OPTION_HELP].name);
+    }
+    *value = equals ? equals + 1 : NULL;
+    nearest near = nearest_to(name);
+    for (int i = 0; i < OPTION_COUNT; i++) {
+        if (strcmp(options[i].name, name) == 0) {
+            *id = i;
+            return OK;
+        }
+        nearest_offer(&near, options[i].name, options[i].name);
+    }
+    return fail_unknown("option", name, &near);
+}
+
+static status take_value(command *cmd, int id, const char *value)
+{
+    if (value[0] == '\0') {
+        return status_fail(ERR_INPUT, "%s needs %s", options[id].name, options[id].value);
+    }
+    if (id == OPTION_OUT) {
+        cmd->out = value;
+    } else if (id == OPTION_SET) {
+        const char *equals = strchr(value, '=');
+        if (!equals || equals == value) {
+            return status_fail(ERR_INPUT, "--set '%s': write KEY=VALUE", value);
+        }
+        if (cmd->noverride == COMMAND_MAX_OVERRIDES) {
+            return status_fail(ERR_INPUT, "more than %d --set", COMMAND_MAX_OVERRIDES);
+        }
+        cmd->overrides[cmd->noverride++] = value;
+    } else {
+        char *end = NULL;
+        errno = 0;
+        const long lines = strtol(value, &end, 10);
+        if (*end || errno || lines < 1 || lines > 1000) {
+            return status_fail(ERR_INPUT, "--lines '%s': a number from 1 to 1000", value);
+        }
+        cmd->summary_lines = (int)lines;
+    }
+    return OK;
+}
+
+static void take_flag(command *cmd, int id)
+{
+    cmd->json = cmd->json || id == OPTION_JSON;
+    cmd->force = cmd->force || id == OPTION_FORCE;
+    cmd->quiet = cmd->quiet || id == OPTION_QUIET;
+    cmd->markdown = cmd->markdown || id == OPTION_MARKDOWN;
+    cmd->help = cmd->help || id == OPTION_HELP;
+    cmd->version = cmd->version || id == OPTION_VERSION;
+}
+
+static status take_option(command *cmd, int argc, const char *const *argv, int *i)
+{
+    status st = OK;
+    int id = 0;
+    const char *value = NULL;
+    TRY(find_option(argv[*i], &id, &value));
+    if (!options[id].value) {
+        if (value) {
+            return status_fail(ERR_INPUT, "%s takes no value", options[id].name);
+        }
+        take_flag(cmd, id);
+        return OK;
+    }
+    if (!value) {
+        if (*i + 1 >= argc) {
+            return status_fail(ERR_INPUT, "%s needs %s", options[id].name, options[id].value);
+        }
+        value = argv[++*i];
+    }
+    TRY(take_value(cmd, id, value));
+
+done:
+    return st;
+}
+
+static status take_word(command *cmd, const char *word)
+{
+    if (!cmd->sub) {
+        return find_subcommand(word, &cmd->sub);
+    }
+    if (!cmd->sub->argument) {
+        return status_fail(ERR_INPUT, "%s takes no argument, not '%s'", cmd->sub->name, word);
+    }
+    if (cmd->argument) {
+        return status_fail(ERR_INPUT, "%s takes one %s, not '%s' too", cmd->sub->name,
+                           cmd->sub->argument, word);
+    }
+    cmd->argument = word;
+    return OK;
+}
+
+// contradictions between the subcommand and what came with it
+static status check_command(const command *cmd)
+{
+    const subcommand *sub = cmd->sub;
+    if (cmd->help || cmd->version) {
+        return OK;
+    }
+    if (!sub) {
+        return status_fail(ERR_INPUT, "a command is missing: see stiffaxis --help");
+    }
+    if (sub->argument && sub->argument[0] != '[' && !cmd->argument) {
+        return status_fail(ERR_INPUT, "%s needs a %s, for example: %s", sub->name, sub->argument,
+                           sub->example);
+    }
+    if (cmd->noverride > 0 && !(sub->argument && strcmp(sub->argument, "CASE") == 0)) {
+        return status_fail(ERR_INPUT, "%s reads no case, so --set has nothing to override",
+                           sub->name);
+    }
+    if (cmd->force && !cmd->out && strcmp(sub->name, "report") != 0) {
+        return status_fail(ERR_INPUT, "--force replaces the directory of --out, which is missing");
+    }
+    return OK;
+}
+
+// the rank that mpirun gave to this process, without starting MPI
+static bool is_first_rank(void)
+{
+    const char *names[] = {"OMPI_COMM_WORLD_RANK", "PMIX_RANK", "PMI_RANK"};
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+        const char *rank = getenv(names[i]);
+        if (rank) {
+            return strcmp(rank, "0") == 0;
+        }
+    }
+    return true;
+}
+
+status command_parse(int argc, const char *const *argv, command *out)
+{
+    status st = OK;
+    bool only_words = false;
+    *out = (command){.summary_lines = COMMAND_SUMMARY_LINES, .first_rank = is_first_rank()};
+    for (int i = 1; i < argc; i++) {
+        if (!only_words && strcmp(argv[i], "--") == 0) {
+            only_words = true;
+        } else if (!only_words && argv[i][0] == '-' && argv[i][1] != '\0') {
+            TRY(take_option(out, argc, argv, &i));
+        } else {
+            TRY(take_word(out, argv[i]));
+        }
+    }
+    TRY(check_command(out));
+
+done:
+    return st;
+}
+
+static void help_options(FILE *stream)
+{
+    fprintf(stream, "\noptions\n");
+    for (int i = 0; i < OPTION_COUNT; i++) {
+        char left[32];
+        (void)snprintf(left, sizeof left, "%s%s%s", options[i].name, options[i].value ? " " : "",
+                       options[i].value ? options[i].value : "");
+        fprintf(stream, "  %-16s %s\n", left, options[i].about);
+    }
+}
+
+void command_help(const command *cmd, FILE *stream)
+{
+    const subcommand *sub = cmd->sub;
+    if (sub) {
+        fprintf(stream, "stiffaxis %s%s%s [options]\n\n%s\n%s", sub->name, sub->argument ? " " : "",
+                sub->argument ? sub->argument : "", sub->about, sub->details);
+        help_options(stream);
+        fprintf(stream, "\nexample\n  %s\n", sub->example);
+        return;
+    }
+    fprintf(stream, "stiffaxis " STIFFAXIS_VERSION ": soft rods in several materials, from the "
+                    "cross section to the shape\n\n"
+                    "usage: stiffaxis COMMAND [CASE] [options]\n\ncommands\n");
+    for (sub = subcommands(); sub->name; sub++) {
+        char left[32];
+        (void)snprintf(left, sizeof left, "%s%s%s", sub->name, sub->argument ? " " : "",
+                       sub->argument ? sub->argument : "");
+        fprintf(stream, "  %-16s %s\n", left, sub->about);
+    }
+    help_options(stream);
+    fprintf(stream,
+            "\nexit codes\n"
+            "  0 done   1 done, but a comparison is out of tolerance   2 usage or case file\n"
+            "  3 input file damaged   4 no convergence   5 out of memory, disk or time\n"
+            "  6 a bug of ours   130 interrupted\n"
+            "\nfirst steps\n"
+            "  stiffaxis example fig4 > fig4.yaml\n"
+            "  stiffaxis run fig4.yaml --out results/fig4\n");
+}
+
+void command_progress(const command *cmd, const char *words)
+{
+    const char *terminal = getenv("TERM");
+    if (cmd->quiet || !cmd->first_rank || !isatty(STDERR_FILENO) || !terminal ||
+        strcmp(terminal, "dumb") == 0) {
+        return;
+    }
+    fprintf(stderr, words ? "\r\033[K%s ..." : "\r\033[K", words ? words : "");
+    (void)fflush(stderr);
+}
+
+void command_hint(const command *cmd, const char *format, ...)
+{
+    if (cmd->quiet || !cmd->first_rank) {
+        return;
+    }
+    command_progress(cmd, NULL);
+    va_list args;
+    va_start(args, format);
+    (void)vfprintf(stderr, format, args);
+    va_end(args);
+    (void)fputc('\n', stderr);
+}
+
+bool command_colour(void)
+{
+    const char *terminal = getenv("TERM"), *no_colour = getenv("NO_COLOR");
+    return isatty(STDOUT_FILENO) && terminal && strcmp(terminal, "dumb") != 0 &&
+           !(no_colour && no_colour[0]);
+}
+
+status command_flush(void)
+{
+    errno = 0;
+    if (fflush(stdout) != 0 || ferror(stdout)) {
+        return status_fail(ERR_RESOURCE, "cannot write to stdout: %s",
+                           errno ? strerror(errno) : "an earlier write failed");
+    }
+    return OK;
+}

@@ -1,0 +1,113 @@
+// app/compare.c
+#include "app/compare.h"
+
+#include "app/chain.h"
+#include "app/compare_rows.h"
+#include "base/memory.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <string.h>
+
+compare_row *compare_add(run_result *r, const char *unit, const char *format, ...)
+{
+    va_list args;
+    if (r->ncompare < COMPARE_MAX_ROWS) {
+        r->ncompare++;
+    }
+    compare_row *row = &r->compare[r->ncompare - 1];
+    *row = (compare_row){0};
+    va_start(args, format);
+    (void)vsnprintf(row->what, sizeof row->what, format, args);
+    va_end(args);
+    (void)snprintf(row->unit, sizeof row->unit, "%s", unit);
+    return row;
+}
+
+void compare_judge(compare_row *row, double ours, double other, double difference, tolerance t)
+{
+    row->ours = ours;
+    row->other = other;
+    row->difference = difference;
+    row->tolerance = t.value;
+    row->ok = difference <= t.value;
+    (void)snprintf(row->reason, sizeof row->reason, "%s", t.reason);
+}
+
+void compare_relative(compare_row *row, double ours, double other, tolerance t)
+{
+    compare_judge(row, ours, other, fabs(ours - other) / fabs(other), t);
+}
+
+void compare_skip(compare_row *row, const char *format, ...)
+{
+    va_list args;
+    va_start(args, format);
+    (void)vsnprintf(row->reason, sizeof row->reason, format, args);
+    va_end(args);
+    row->skipped = true;
+    row->ok = true;
+}
+
+static status prepare_section(const case_data *c, const run_result *r, compare_section *out)
+{
+    status st = OK;
+    out->s = case_has_segment(c) ? c->file.fem.section_at : 0;
+    out->error = r->section.station[0].law.relative_error;
+    TRY(section_mesh_at(&c->file.section, out->s, &out->mesh));
+    for (int i = 0; i < out->mesh.nnode; i++) {
+        const double *x = out->mesh.xyz + 3 * (size_t)i;
+        out->radius = fmax(out->radius, hypot(x[0], x[1]));
+    }
+    TRY(section_full_mesh(&out->mesh, c->materials, &out->full, NULL));
+    TRY(beam_law_centres(&out->full, &out->centres));
+
+done:
+    return st;
+}
+
+status compare_all(const command *cmd, const case_data *c, run_result *r)
+{
+    status st = OK;
+    compare_section section = {0};
+    TRY(TAKE(r->compare, COMPARE_MAX_ROWS));
+    r->has_compare = true;
+    command_progress(cmd, "comparison: section");
+    TRY(prepare_section(c, r, &section));
+    TRY(compare_closed_forms(c, &section, r));
+    command_progress(cmd, "comparison: GetDP");
+    TRY(compare_getdp(c, &section, r));
+    if (r->has_segment) {
+        TRY(compare_section_segment(c, &section, r));
+    }
+    if (case_has_rod(c)) {
+        command_progress(cmd, "comparison: rod in both frames");
+        TRY(compare_frames(c, r));
+    }
+    if (r->has_segment) {
+        TRY(compare_rod_segment(c, &section, r));
+        TRY(compare_loads(c, &section, r));
+    }
+
+done:
+    mesh_free(&section.mesh);
+    return st;
+}
+
+status compare_verdict(const run_result *r)
+{
+    int out = 0, first = 0;
+    for (int i = r->ncompare - 1; i >= 0; i--) {
+        if (!r->compare[i].ok) {
+            out++;
+            first = i;
+        }
+    }
+    if (out == 0) {
+        return OK;
+    }
+    const compare_row *row = &r->compare[first];
+    return status_fail(ERR_TOLERANCE,
+                       "%d of %d comparisons out of tolerance, the first: %s: %.2e > %.2e", out,
+                       r->ncompare, row->what, row->difference, row->tolerance);
+}

@@ -1,0 +1,42 @@
+// app/compare_rows.h
+// How the rows of a comparison are made; for the files compare_*.c.
+#pragma once
+
+#include "app/case.h"
+#include "app/command.h"
+#include "reports/result.h"
+
+enum { COMPARE_MAX_ROWS = 64 };
+
+// The section that is compared: prismatic, at one arclength, by the full model on the section's own
+// mesh.
+typedef struct compare_section {
+    double s;      // the segment's place where there is one, else 0 [m]
+    double radius; // about the origin, of everything [m]
+    double error;  // estimate of the case's own section there, relative
+    mesh mesh;
+    beam_law full;
+    beam_centres centres;
+} compare_section;
+
+typedef struct tolerance {
+    double value;       // relative
+    const char *reason; // what it is made of
+} tolerance;
+
+// The next row; there is always room for one more (the last is used again when all are taken).
+compare_row *compare_add(run_result *r, const char *unit, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+// ok where difference <= t.value; a NaN is not
+void compare_judge(compare_row *row, double ours, double other, double difference, tolerance t);
+// difference = |ours - other| / |other|
+void compare_relative(compare_row *row, double ours, double other, tolerance t);
+void compare_skip(compare_row *row, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+// The rows of each kind.
+status compare_closed_forms(const case_data *c, const compare_section *section, run_result *r);
+status compare_getdp(const case_data *c, const compare_section *section, run_result *r);
+status compare_section_segment(const case_data *c, const compare_section *section, run_result *r);
+status compare_frames(const case_data *c, run_result *r);
+status compare_rod_segment(const case_data *c, const compare_section *section, run_result *r);
+status compare_loads(const case_data *c, const compare_section *section, run_result *r);

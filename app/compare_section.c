@@ -1,0 +1,238 @@
+// app/compare_section.c
+// The section by us against closed forms, against GetDP and against the middle of the 3D segment.
+#include "app/chain.h"
+#include "app/compare_rows.h"
+#include "app/getdp_door.h"
+
+#include <math.h>
+
+// Integrals over curved elements of order 3 and 4: their geometry's error, of order 2p, is below
+// rounding's sum (docs/theory.md (6.3)). Coarser ones are held to their own error estimate.
+static const tolerance closed_integrals = {1e-9, "rounding and the curved elements' geometry"};
+static const tolerance closed_rounding = {1e-12, "rounding: two ways to write the same integrals"};
+enum { ORDER_OF_CLOSED_INTEGRALS = 3 };
+
+// GetDP's two meshes: elements through the section's radius. Order-2 elements, and corners where
+// materials meet.
+static const double getdp_coarse = 1.0 / 20, getdp_fine = 1.0 / 40;
+static const double getdp_floor = 1e-7; // below this GetDP's rounding and linear solver count
+static const double getdp_most = 1e-3;  // a difference of its two meshes beyond this proves nothing
+
+// Energy per length in the middle of the segment still holds what is left there of the end layers.
+// They fall with the distance from the ends over the section's radius: on the Fig. 4 section (nu
+// 0.3 and 0.45) 0.07, 0.03, 0.01, 0.004 were measured for shear and torsion 1.5, 2.5, 3.75 and 5
+// radii from the ends, a tenth of it for stretch and bending.
+static const double layers_at_end = 0.3, layer_radii = 1.5;
+static const double stretch_part = 0.1;
+static const double middle_floor = 2e-3; // the default 3D mesh, where the layers have died out
+static const char middle_reason[] = "end layers that reach the middle of the segment, and its mesh";
+
+static double centre_distance(const double *a, const double *b)
+{
+    return hypot(a[0] - b[0], a[1] - b[1]);
+}
+
+static bool is_two_material_annulus(const section_outline *o, const material *materials,
+                                    annulus_two_materials *out)
+{
+    if (o->count != 2 || o->items[0].kind != KIND_ANNULUS || o->items[1].kind != KIND_SECTOR ||
+        o->items[0].material < 0 || o->items[1].material < 0) {
+        return false;
+    }
+    const outline *ring = &o->items[0], *sector = &o->items[1];
+    *out = (annulus_two_materials){
+        .outer = ring->outer,
+        .inner = ring->inner,
+        .mid_angle = sector->mid_angle,
+        .width = sector->width,
+        .E_soft = materials[ring->material].E,
+        .E_stiff = materials[sector->material].E,
+    };
+    return ring->outer == sector->outer && ring->inner == sector->inner && ring->centre[0] == 0 &&
+           ring->centre[1] == 0 && sector->centre[0] == 0 && sector->centre[1] == 0;
+}
+
+// our exact integrals over rings and sectors against the paper's formulas as corrected,
+// docs/theory.md (2.6)
+static status compare_annulus(const annulus_two_materials *a, const beam_law *closed, run_result *r)
+{
+    status st = OK;
+    beam_centres centres;
+    TRY(beam_law_centres_near(closed, a->mid_angle, &centres));
+    const annulus_closed_form form = annulus_closed(a);
+    const double x = form.r_nc * cos(a->mid_angle), y = form.r_nc * sin(a->mid_angle);
+    const double distance = hypot(centres.stiffness_centre[0] - x, centres.stiffness_centre[1] - y);
+
+    compare_relative(compare_add(r, "N", "section: EA, integrals against Eq. 18-20"), centres.EA,
+                     form.EA, closed_rounding);
+    compare_judge(
+        compare_add(r, "mm", "section: NC offset, integrals against Eq. 18-20 (of radius)"),
+        1e3 * hypot(centres.stiffness_centre[0], centres.stiffness_centre[1]),
+        1e3 * fabs(form.r_nc), distance / a->outer, closed_rounding);
+    compare_relative(
+        compare_add(r, "N mm^2", "section: EI about the symmetry axis, against Eq. 20"),
+        1e6 * centres.EI[0], 1e6 * form.EI_centre[0], closed_rounding);
+    compare_relative(
+        compare_add(r, "N mm^2", "section: EI across the symmetry axis, against Eq. 20"),
+        1e6 * centres.EI[1], 1e6 * form.EI_centre[1], closed_rounding);
+
+done:
+    return st;
+}
+
+// the paper's torsion and shear hold for no section or for axisymmetric ones only: told, not judged
+static void compare_classical(const compare_section *section, run_result *r)
+{
+    beam_centres centres;
+    if (r->section_model == MODEL_CLASSICAL &&
+        beam_law_centres(&r->section.station[0].law, &centres) == OK) {
+        compare_skip(compare_add(r, "N mm^2", "section: GJ, classical against full"),
+                     "%.5g against %.5g N mm^2: the paper's Eq. 12 has no warping",
+                     1e6 * centres.GJ, 1e6 * section->centres.GJ);
+    }
+    status_clear();
+}
+
+status compare_closed_forms(const case_data *c, const compare_section *section, run_result *r)
+{
+    status st = OK;
+    section_outline outline = {0};
+    beam_law closed, meshed;
+    beam_centres a, b;
+    annulus_two_materials annulus;
+    bool done = false;
+    compare_classical(section, r);
+    TRY(case_place(c, shapes_at(c->shapes, section->s, &outline), c->file.section.at));
+    TRY(section_classical_closed(&outline, c->materials, &closed, &done));
+    if (!done) {
+        compare_skip(compare_add(r, "-", "section: mesh against closed forms"),
+                     "no closed form covers these shapes");
+        goto done;
+    }
+    if (is_two_material_annulus(&outline, c->materials, &annulus)) {
+        TRY(compare_annulus(&annulus, &closed, r));
+    }
+    TRY(section_classical_mesh(&section->mesh, c->materials, &meshed));
+    TRY(beam_law_centres(&closed, &b));
+    TRY(beam_law_centres_near(&meshed, b.principal_angle, &a));
+    const bool fine = section->mesh.order >= ORDER_OF_CLOSED_INTEGRALS;
+    const tolerance t = {fine ? closed_integrals.value
+                              : fmax(closed_integrals.value, section->error),
+                         closed_integrals.reason};
+    compare_relative(compare_add(r, "N", "section: EA, mesh against closed form"), a.EA, b.EA, t);
+    compare_judge(compare_add(r, "mm", "section: NC offset, mesh against closed form (of radius)"),
+                  1e3 * hypot(a.stiffness_centre[0], a.stiffness_centre[1]),
+                  1e3 * hypot(b.stiffness_centre[0], b.stiffness_centre[1]),
+                  centre_distance(a.stiffness_centre, b.stiffness_centre) / section->radius, t);
+    for (int i = 0; i < 2; i++) {
+        compare_relative(compare_add(r, "N mm^2", "section: EI about %s', mesh against closed form",
+                                     i ? "y" : "x"),
+                         1e6 * a.EI[i], 1e6 * b.EI[i], t);
+    }
+
+done:
+    section_outline_free(&outline);
+    return st;
+}
+
+// whether the scalar warping problem holds: one Poisson's ratio among the materials that the
+// section uses
+static bool one_poisson_ratio(const case_data *c, const mesh *m)
+{
+    double nu = NAN;
+    for (int b = 0; b < m->nblock; b++) {
+        for (int e = 0; e < m->block[b].nelem; e++) {
+            const double other = c->materials[m->block[b].material[e]].nu;
+            if (!isnan(nu) && nu != other) {
+                return false;
+            }
+            nu = other;
+        }
+    }
+    return true;
+}
+
+static status getdp_at(const case_data *c, const compare_section *section, double size, double *GJ)
+{
+    status st = OK;
+    mesh m = {0};
+    TRY(chain_plane_mesh(c, section->s, 2, size * section->radius, &m));
+    TRY(getdp_torsion(&m, c->nmaterial, c->materials, GJ));
+
+done:
+    mesh_free(&m);
+    return st;
+}
+
+status compare_getdp(const case_data *c, const compare_section *section, run_result *r)
+{
+    status st = OK;
+    char path[4096];
+    double coarse = 0, fine = 0;
+    compare_row *row = compare_add(r, "N mm^2", "section: GJ, ours (full) against GetDP");
+    if (!getdp_find(path, sizeof path)) {
+        compare_skip(row, "getdp is not installed");
+        return OK;
+    }
+    if (!one_poisson_ratio(c, &section->mesh)) {
+        compare_skip(row, "Poisson's ratios differ: GetDP's scalar torsion problem does not hold");
+        return OK;
+    }
+    TRY(getdp_at(c, section, getdp_coarse, &coarse));
+    TRY(getdp_at(c, section, getdp_fine, &fine));
+    const double spread = fabs(coarse - fine) / fine;
+    compare_relative(row, 1e6 * section->centres.GJ, 1e6 * fine,
+                     (tolerance){fmin(fmax(getdp_floor, spread + section->error), getdp_most),
+                                 "GetDP's own difference between two meshes, and our estimate"});
+
+done:
+    return st;
+}
+
+// what may be left of the end layers in the middle; part: of the layers of shear and torsion
+static tolerance middle_tolerance(const case_data *c, const compare_section *section, double part)
+{
+    const double radii = 0.5 * c->file.fem.length / section->radius;
+    return (tolerance){middle_floor + part * layers_at_end * exp(-radii / layer_radii),
+                       middle_reason};
+}
+
+status compare_section_segment(const case_data *c, const compare_section *section, run_result *r)
+{
+    status st = OK;
+    beam_centres fem;
+    const beam_centres *ours = &section->centres;
+    const mat6 *K = &section->full.K, *K_fem = &r->segment.law.K;
+    const tolerance layers = middle_tolerance(c, section, 1);
+    const tolerance stretch = middle_tolerance(c, section, stretch_part);
+    TRY(beam_law_centres_near(&r->segment.law, ours->principal_angle, &fem));
+    const struct {
+        const char *name, *unit;
+        double ours, fem;
+        tolerance t;
+    } rows[] = {
+        {"EA", "N", ours->EA, fem.EA, stretch},
+        {"EI about x'", "N mm^2", 1e6 * ours->EI[0], 1e6 * fem.EI[0], stretch},
+        {"EI about y'", "N mm^2", 1e6 * ours->EI[1], 1e6 * fem.EI[1], stretch},
+        {"GJ", "N mm^2", 1e6 * ours->GJ, 1e6 * fem.GJ, layers},
+        {"shear stiffness x", "N", K->a[NX][NX], K_fem->a[NX][NX], layers},
+        {"shear stiffness y", "N", K->a[NY][NY], K_fem->a[NY][NY], layers},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        compare_relative(
+            compare_add(r, rows[i].unit, "section: %s, ours (full) against 3D FEM", rows[i].name),
+            rows[i].ours, rows[i].fem, rows[i].t);
+    }
+    const double apart = mat6_relative_error(*K, *K_fem);
+    compare_judge(compare_add(r, "-", "section: whole 6x6, ours (full) against 3D FEM"), apart, 0,
+                  apart, layers);
+    compare_judge(compare_add(r, "mm", "section: NC, ours against bending-free load (of radius)"),
+                  1e3 * hypot(ours->stiffness_centre[0], ours->stiffness_centre[1]),
+                  1e3 * hypot(r->segment.stiffness_centre[0], r->segment.stiffness_centre[1]),
+                  centre_distance(ours->stiffness_centre, r->segment.stiffness_centre) /
+                      section->radius,
+                  stretch);
+
+done:
+    return st;
+}

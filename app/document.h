@@ -1,0 +1,22 @@
+// app/document.h
+// A text that is made whole before it is shown: on stdout, and as a file with --out.
+#pragma once
+
+#include "app/command.h"
+
+#include <stddef.h>
+#include <stdio.h>
+
+typedef struct document {
+    FILE *stream; // to write to, after document_begin
+    char *text;
+    size_t length;
+} document;
+
+status document_begin(document *d);
+
+// Shows the document on stdout, and keeps it as DIR/name with --out.
+status document_end(document *d, command *cmd, const char *name);
+
+// Accepts a zeroed one.
+void document_free(document *d);

@@ -1,0 +1,187 @@
+// app/print.c
+#include "app/print.h"
+
+#include "app/command.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+// K_ij over sqrt(K_ii K_jj) below this is the rounding of a solve and is shown as 0
+static const double rounding = 1e-11;
+
+static const double degrees = 180 / 3.14159265358979323846;
+
+// largest strain of the rod's materials that is still close to linear; 0 where none is told
+static double linear_limit(const run_result *r)
+{
+    double limit = 0;
+    for (int i = 0; i < r->nmaterial; i++) {
+        const double strain = r->materials[i].linear_strain;
+        if (strain > 0 && (limit <= 0 || strain < limit)) {
+            limit = strain;
+        }
+    }
+    return limit;
+}
+
+// in the unit shown, where less than half of the last digit is no number and its sign no
+// information
+static double shown(double value, double last_digit)
+{
+    return fabs(value) < 0.5 * last_digit ? 0 : value;
+}
+
+void print_stiffness(const char *title, const mat6 *K)
+{
+    static const char *const names[6] = {"nx", "ny", "nz", "mx", "my", "mz"};
+    printf("%s\n    ", title);
+    for (int j = 0; j < 6; j++) {
+        printf(" %13s", names[j]);
+    }
+    putchar('\n');
+    for (int i = 0; i < 6; i++) {
+        printf("  %s", names[i]);
+        for (int j = 0; j < 6; j++) {
+            const double size = sqrt(fabs(K->a[i][i] * K->a[j][j]));
+            const double value = fabs(K->a[i][j]) < rounding * size ? 0 : K->a[i][j];
+            printf(" %13.6g", value * (i < 3 ? 1 : 1e3) * (j < 3 ? 1 : 1e3));
+        }
+        putchar('\n');
+    }
+}
+
+void print_section(const run_result *r)
+{
+    static const char *const models[] = {"full (warping)", "classical"};
+    const section_result *section = &r->section;
+    printf("section: %s, %d station%s, %d solved%s\n", models[r->section_model], section->nstation,
+           section->nstation == 1 ? "" : "s", section->nsolved,
+           section->meshed ? "" : " in closed form, no mesh");
+    printf("%9s %10s %8s %8s %8s %10s %10s %10s %8s %8s %8s\n", "s", "EA", "x_nc", "y_nc", "angle",
+           "EI x'", "EI y'", "GJ", "x_sc", "y_sc", "error");
+    printf("%9s %10s %8s %8s %8s %10s %10s %10s %8s %8s %8s\n", "mm", "N", "mm", "mm", "deg",
+           "N mm^2", "N mm^2", "N mm^2", "mm", "mm", "relative");
+    for (int i = 0; i < section->nstation; i++) {
+        const section_station *one = &section->station[i];
+        const beam_centres *c = &one->centres;
+        printf("%9.3f %10.5g %8.4f %8.4f %8.3f %10.5g %10.5g %10.5g %8.4f %8.4f %8.1e\n",
+               1e3 * one->s, c->EA, shown(1e3 * c->stiffness_centre[0], 1e-4),
+               shown(1e3 * c->stiffness_centre[1], 1e-4), shown(degrees * c->principal_angle, 1e-3),
+               1e6 * c->EI[0], 1e6 * c->EI[1], 1e6 * c->GJ, shown(1e3 * c->shear_centre[0], 1e-4),
+               shown(1e3 * c->shear_centre[1], 1e-4), one->law.relative_error);
+    }
+    if (section->station[0].centres.isotropic) {
+        printf("no preferred axes at the first station: its angle is 0 by convention\n");
+    }
+    print_stiffness("stiffness at the first station, about the geometric centre [N, N mm, N mm^2]",
+                    &section->station[0].law.K);
+}
+
+static void print_run(const rod_result *rods, const struct rod_run *run, double limit)
+{
+    for (int k = 0; k < rods->ntendon; k++) {
+        printf(" %7.3f", run->tension[k]);
+    }
+    printf("  %9.4f %9.4f %9.4f %9.2f %8.2f%s", shown(1e3 * run->tip.p.a[0], 1e-4),
+           shown(1e3 * run->tip.p.a[1], 1e-4), shown(1e3 * run->tip.p.a[2], 1e-4),
+           degrees * run->total_bend_rad, 100 * run->largest_strain,
+           limit > 0 && run->largest_strain > limit ? "!" : " ");
+    for (int k = 0; k < rods->ntendon; k++) {
+        printf(" %9.3f", 1e3 * run->tendon_length[k]);
+    }
+    printf(" %6d %8.1e\n", run->iterations, run->relative_error);
+}
+
+void print_rods(const run_result *r)
+{
+    const rod_result *rods = &r->rod;
+    const double limit = linear_limit(r);
+    bool beyond = false;
+    printf("rod: %.4g mm, tendons", 1e3 * r->rod_length);
+    for (int k = 0; k < rods->ntendon; k++) {
+        printf("%s %s", k ? "," : "", rods->tendon_name[k]);
+    }
+    printf("\n%*s  %29s %9s %9s %*s %6s %8s\n", 8 * rods->ntendon, "tension N", "tip x, y, z mm",
+           "bend deg", "strain %", 10 * rods->ntendon, "tendon mm", "steps", "error");
+    for (int i = 0; i < rods->nsolution; i++) {
+        print_run(rods, &rods->run[i], limit);
+        beyond = beyond || (limit > 0 && rods->run[i].largest_strain > limit);
+    }
+    if (beyond) {
+        printf("! strain beyond %.3g %%, where the materials stop being close to linear\n",
+               100 * limit);
+    }
+}
+
+static double angle_of(const double *rotation)
+{
+    return degrees *
+           sqrt(rotation[0] * rotation[0] + rotation[1] * rotation[1] + rotation[2] * rotation[2]);
+}
+
+void print_segment(const run_result *r)
+{
+    static const char *const bases[] = {"clamped", "free to contract"};
+    static const char *const tips[] = {"rigid", "E-proportional", "uniform"};
+    const segment_result *fem = &r->segment;
+    printf("3D segment: %.4g mm, base %s, tip %s, %d unknowns, estimated error %.1e\n",
+           1e3 * r->segment_length, bases[r->segment_base], tips[r->segment_tip], fem->dofs,
+           fem->relative_error);
+    printf("centre found by FEM: x = %.4f mm, y = %.4f mm\n",
+           shown(1e3 * fem->stiffness_centre[0], 1e-4),
+           shown(1e3 * fem->stiffness_centre[1], 1e-4));
+    printf("%-24s %17s %12s %10s %21s %12s\n", "load", "at x, y mm", "shortening", "tip angle",
+           "mid curvature x, y", "energy");
+    printf("%-24s %17s %12s %10s %21s %12s\n", "", "", "mm", "deg", "1/m", "mJ");
+    for (int i = 0; i < fem->nload; i++) {
+        const segment_load_result *load = &fem->load[i];
+        printf("%-24.24s %8.4f %8.4f %12.6f %10.4f %10.5f %10.5f %12.6f\n",
+               load->name ? load->name : "", shown(1e3 * load->point[0], 1e-4),
+               shown(1e3 * load->point[1], 1e-4), shown(1e3 * load->shortening, 1e-6),
+               angle_of(load->tip_rotation), load->mid_curvature[0], load->mid_curvature[1],
+               1e3 * load->strain_energy);
+    }
+    print_stiffness("stiffness of the middle, about the geometric centre [N, N mm, N mm^2]",
+                    &fem->law.K);
+}
+
+static const char *verdict(const compare_row *row, bool colour)
+{
+    if (row->skipped) {
+        return "skipped";
+    }
+    if (colour) {
+        return row->ok ? "\033[32mok\033[0m" : "\033[31mOUT\033[0m";
+    }
+    return row->ok ? "ok" : "OUT";
+}
+
+void print_compare(const run_result *r)
+{
+    const bool colour = command_colour();
+    int width = 4;
+    for (int i = 0; i < r->ncompare; i++) {
+        const int length = (int)strlen(r->compare[i].what);
+        width = length > width ? length : width;
+    }
+    printf("%-*s %13s %13s %-11s %9s %9s verdict\n", width, "what", "ours", "other", "unit",
+           "difference", "tolerance");
+    for (int i = 0; i < r->ncompare; i++) {
+        const compare_row *row = &r->compare[i];
+        if (row->skipped) {
+            printf("%-*s skipped: %s\n", width, row->what, row->reason);
+            continue;
+        }
+        printf("%-*s %13.7g %13.7g %-11s %9.1e %9.1e %s\n", width, row->what, row->ours, row->other,
+               row->unit, row->difference, row->tolerance, verdict(row, colour));
+    }
+    printf("tolerances\n");
+    for (int i = 0; i < r->ncompare; i++) {
+        const compare_row *row = &r->compare[i];
+        if (!row->skipped && (i == 0 || r->compare[i - 1].skipped ||
+                              strcmp(r->compare[i - 1].reason, row->reason) != 0)) {
+            printf("  %.1e  %s\n", row->tolerance, row->reason);
+        }
+    }
+}

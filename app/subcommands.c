@@ -1,0 +1,108 @@
+// app/subcommands.c
+// The list of subcommands with their help, and the way into one.
+#include "app/answer.h"
+#include "app/command.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static const subcommand list[] = {
+    {"run", "CASE", cmd_run, "everything that the case asks for, in order, and the report",
+     "Sections, rod, 3D segment and the comparisons that they allow. With --out DIR: result.hdf\n"
+     "(HDF5, opens in ParaView), report.html, figures as SVG and PNG, CSV tables. Without --out\n"
+     "only the summary is printed. Exit code 1 when a comparison is out of tolerance.\n",
+     "stiffaxis run fig4.yaml --out results/fig4"},
+    {"section", "CASE", cmd_section, "cross sections: centres, axes, 6x6 stiffness",
+     "One row per station. Matrices are in the order nx ny nz mx my mz at the geometric centre.\n",
+     "stiffaxis section constant_nc.yaml --json"},
+    {"rod", "CASE", cmd_rod, "shapes for the case's tendon tensions",
+     "Tip position, bend and tendon lengths for each row of rod.tensions_N.\n",
+     "stiffaxis rod constant_nc.yaml --set rod.frame=NC"},
+    {"fem", "CASE", cmd_fem, "the 3D segment under the case's tip loads",
+     "Linear elasticity on the extruded section; runs under mpirun too.\n",
+     "stiffaxis fem fig4.yaml --set fem.layers=24"},
+    {"compare", "CASE", cmd_compare, "two ways to each number, side by side, with a verdict",
+     "Section by us, by GetDP and by 3D FEM; rod in both frames; rod against 3D FEM. Exit code 1\n"
+     "when a difference is out of its tolerance.\n",
+     "stiffaxis compare fig4.yaml"},
+    {"report", "RESULT", cmd_report, "figures and the page from a stored result",
+     "RESULT is a result.hdf or the directory that holds it. Nothing is recomputed. Without --out\n"
+     "the directory is named after RESULT: result.hdf gives result-report.\n",
+     "stiffaxis report results/fig4/result.hdf --out results/fig4-again"},
+    {"check", "CASE", cmd_check, "reads and validates only",
+     "Every mistake in a case is one line FILE:LINE:COL: error: ..., and exit code 2.\n",
+     "stiffaxis check fig4.yaml"},
+    {"schema", NULL, cmd_schema, "the key reference as JSON Schema",
+     "For editors that check YAML while one types; --markdown prints it for people.\n",
+     "stiffaxis schema > stiffaxis.schema.json"},
+    {"example", "[NAME]", cmd_example, "a runnable case; without NAME the list of them",
+     "The cases of the repository's cases/, which this program carries.\n",
+     "stiffaxis example fig4 > fig4.yaml"},
+    {"doctor", NULL, cmd_doctor, "versions, and what works on this machine",
+     "Uses every library once on a small problem. Exit code 5 when one that is needed fails.\n",
+     "stiffaxis doctor"},
+    {0},
+};
+
+const subcommand *subcommands(void)
+{
+    return list;
+}
+
+// the same words as one JSON document
+static status answer_text(command *cmd, const char *schema, const char *key, const char *text)
+{
+    status st = OK;
+    json *j = NULL;
+    TRY(answer_open(cmd, &j));
+    json_object(j, NULL);
+    json_text(j, "schema", schema);
+    json_text(j, key, text);
+    json_object_end(j);
+    st = json_close(j);
+
+done:
+    return st;
+}
+
+static status answer_help(command *cmd)
+{
+    char *text = NULL;
+    size_t size = 0;
+    if (!cmd->json) {
+        command_help(cmd, stdout);
+        return OK;
+    }
+    FILE *memory = open_memstream(&text, &size);
+    if (!memory) {
+        return status_fail(ERR_RESOURCE, "out of memory: the help text");
+    }
+    command_help(cmd, memory);
+    const bool closed = fclose(memory) == 0;
+    const status st = closed ? answer_text(cmd, "stiffaxis/help/1", "text", text)
+                             : status_fail(ERR_RESOURCE, "out of memory: the help text");
+    free(text);
+    return st;
+}
+
+status command_run(command *cmd)
+{
+    // under mpirun one process speaks and writes
+    if (!cmd->first_rank) {
+        cmd->out = NULL;
+        if (!freopen("/dev/null", "w", stdout)) {
+            return status_fail(ERR_RESOURCE, "cannot open /dev/null");
+        }
+    }
+    if (cmd->help) {
+        return answer_help(cmd);
+    }
+    if (cmd->version) {
+        if (cmd->json) {
+            return answer_text(cmd, "stiffaxis/version/1", "version", STIFFAXIS_VERSION);
+        }
+        printf("stiffaxis " STIFFAXIS_VERSION "\n");
+        return OK;
+    }
+    return cmd->sub->run(cmd);
+}

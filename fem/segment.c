@@ -1,0 +1,277 @@
+// fem/segment.c
+#include "fem/segment.h"
+
+#include "base/door.h"
+#include "base/memory.h"
+#include "fem/section_law.h"
+
+#include <math.h>
+#include <string.h>
+
+// a point this near to the centroid, over the section's radius, is the centroid: rounding and the
+// mesh's own geometry
+static const double CENTROID_TOLERANCE = 1e-4;
+
+void segment_result_free(segment_result *r)
+{
+    for (int i = 0; r->load && i < r->nload; i++) {
+        free(r->load[i].displacement);
+    }
+    free(r->load);
+    *r = (segment_result){0};
+}
+
+int segment_rank(void)
+{
+    const char *rank = getenv("OMPI_COMM_WORLD_RANK");
+    return rank ? (int)strtol(rank, NULL, 10) : 0;
+}
+
+static status open_door(const petsc_door **out)
+{
+    status st = OK;
+    door_function found = NULL;
+    petsc_door_getter get = NULL;
+    TRY(door_open("petsc", PETSC_DOOR_SYMBOL, &found));
+    memcpy(&get, &found, sizeof get);
+    *out = get();
+
+done:
+    return st;
+}
+
+static status check_model(const segment_model *model)
+{
+    const mesh *plane = model->plane, *solid = model->solid;
+    if (solid->nnode != plane->nnode * model->nlevel || solid->order != plane->order) {
+        return status_fail(ERR_BUG, "segment: %d solid nodes are not %d plane nodes on %d levels",
+                           solid->nnode, plane->nnode, model->nlevel);
+    }
+    return OK;
+}
+
+// --- one load from the unit solutions
+
+typedef struct combination {
+    int n;
+    double c[9]; // of the run's solutions
+} combination;
+
+static status uniform_combination(const segment_run *run, double radius, const segment_load *load,
+                                  const double *point, combination *out)
+{
+    const double *centroid = run->by_area.centroid;
+    const double away = hypot(point[0] - centroid[0], point[1] - centroid[1]);
+    if ((point[0] != 0 || point[1] != 0) && away > CENTROID_TOLERANCE * radius) {
+        return status_fail(ERR_INPUT,
+                           "load '%s': a uniform traction acts at the area's centroid (%.6g, %.6g) "
+                           "mm, not at (%.6g, %.6g) mm",
+                           load->name, 1e3 * centroid[0], 1e3 * centroid[1], 1e3 * point[0],
+                           1e3 * point[1]);
+    }
+    if (load->moment[0] != 0 || load->moment[1] != 0 || load->moment[2] != 0) {
+        return status_fail(ERR_INPUT, "load '%s': a uniform traction has no moment", load->name);
+    }
+    *out = (combination){.n = 9};
+    memcpy(out->c + 6, load->force, sizeof load->force);
+    return OK;
+}
+
+// the wrench about the origin
+static combination wrench_combination(const segment_load *load, const double *point)
+{
+    const double *f = load->force, *m = load->moment, x = point[0], y = point[1];
+    return (combination){
+        .n = 6,
+        .c = {f[0], f[1], f[2], m[0] + y * f[2], m[1] - x * f[2], m[2] + x * f[1] - y * f[0]}};
+}
+
+static double energy(const segment_run *run, const combination *k)
+{
+    double twice = 0;
+    if (k->n == 6) {
+        const mat6 C = segment_run_compliance(run);
+        for (int i = 0; i < 6; i++) {
+            for (int j = 0; j < 6; j++) {
+                twice += k->c[i] * C.a[i][j] * k->c[j];
+            }
+        }
+        return twice / 2;
+    }
+    double work[3][3];
+    segment_run_uniform_work(run, work);
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 3; j++) {
+            twice += k->c[6 + i] * work[i][j] * k->c[6 + j];
+        }
+    }
+    return twice / 2;
+}
+
+static status keep_displacement(const segment_run *run, const combination *k, double **out)
+{
+    status st = OK;
+    const size_t all = 3 * (size_t)run->nplane * (size_t)run->nlevel;
+    TRY(TAKE(*out, all));
+    for (int j = 0; j < k->n; j++) {
+        for (size_t i = 0; k->c[j] != 0 && i < all; i++) {
+            (*out)[i] += k->c[j] * run->u[(size_t)j * all + i];
+        }
+    }
+
+done:
+    return st;
+}
+
+static void fill_load(const segment_run *run, const middle *mid, const combination *k,
+                      segment_load_result *out)
+{
+    vec6 q = {0};
+    for (int j = 0; j < k->n; j++) {
+        q = vec6_add(q, vec6_scale(k->c[j], run->motion[(j + 1) * run->nlevel - 1]));
+        out->mid_curvature[0] += k->c[j] * mid->curvature[j][0];
+        out->mid_curvature[1] += k->c[j] * mid->curvature[j][1];
+    }
+    const double *centre = run->by_E.centroid;
+    out->shortening = -(q.a[NZ] + q.a[MX] * centre[1] - q.a[MY] * centre[0]);
+    memcpy(out->tip_displacement, q.a, 3 * sizeof *q.a);
+    memcpy(out->tip_rotation, q.a + 3, 3 * sizeof *q.a);
+    out->strain_energy = energy(run, k);
+}
+
+// --- the whole
+
+typedef struct load_list {
+    int count;
+    const segment_load *items;
+    const double (*point)[2];
+    int keep, tip;
+} load_list;
+
+static status solve_loads(const segment_run *run, const middle *mid, double radius,
+                          const load_list *loads, segment_result *r)
+{
+    status st = OK;
+    TRY(TAKE(r->load, (size_t)loads->count));
+    r->nload = loads->count;
+    for (int i = 0; i < loads->count; i++) {
+        const segment_load *load = &loads->items[i];
+        const bool uniform = loads->tip == TIP_UNIFORM;
+        combination k = wrench_combination(load, loads->point[i]);
+        if (uniform) {
+            TRY(uniform_combination(run, radius, load, loads->point[i], &k));
+        }
+        r->load[i].name = load->name;
+        memcpy(r->load[i].point, uniform ? run->by_area.centroid : loads->point[i],
+               sizeof r->load[i].point);
+        fill_load(run, mid, &k, &r->load[i]);
+        if (loads->keep) {
+            TRY(keep_displacement(run, &k, &r->load[i].displacement));
+        }
+    }
+
+done:
+    return st;
+}
+
+// the point at which an axial force leaves the tip unturned: C's own equation (5.7)
+static status tip_centre(mat6 C, double *centre)
+{
+    const double det = C.a[MX][MX] * C.a[MY][MY] - C.a[MX][MY] * C.a[MY][MX];
+    if (!(det > 0)) {
+        return status_fail(ERR_NUMERIC, "segment: end moments do not turn the tip");
+    }
+    centre[0] = (C.a[MY][NZ] * C.a[MX][MX] - C.a[MX][NZ] * C.a[MY][MX]) / det;
+    centre[1] = (C.a[MY][NZ] * C.a[MX][MY] - C.a[MX][NZ] * C.a[MY][MY]) / det;
+    return OK;
+}
+
+// the segment's own middle, and the section's law: from there when the segment is long enough, else
+// from a longer column
+static status fill_laws(const petsc_door *door, const column *c, const segment_run *run,
+                        segment_result *r)
+{
+    status st = OK;
+    beam_law own = {0};
+    const double begin = c->level[0];
+    TRY(section_law_at(c, run, begin + c->length / 2, &own));
+    r->mid_K = own.K;
+    TRY(section_law_solve(door, c, &r->law.relative_error, &r->law));
+
+done:
+    return st;
+}
+
+// one order lower: what changes is taken for the error. docs/theory.md (5.9)
+static status estimate_error(const petsc_door *door, const column *c, const segment_model *model,
+                             segment_result *r)
+{
+    status st = OK;
+    mesh plane = {0};
+    column lower = {0};
+    segment_run run = {0};
+    beam_law law = {0};
+    double jacobian = 0, end_effect = 0;
+    const double end_here = r->law.relative_error;
+
+    r->relative_error = r->law.relative_error = 1;
+    if (c->order == 1) {
+        return OK;
+    }
+    TRY(column_lower(c, c->order - 1, &plane, &lower));
+    TRY(mesh_min_jacobian(&plane, &jacobian));
+    if (jacobian > 0) {
+        TRY(segment_run_make(door, &lower, model->base, model->tip, &run));
+        r->relative_error = mat6_relative_error(segment_run_compliance(&run), r->tip_compliance);
+        TRY(section_law_solve(door, &lower, &end_effect, &law));
+        r->law.relative_error = fmax(end_here, mat6_relative_error(law.K, r->law.K));
+    }
+
+done:
+    segment_run_free(&run);
+    column_free(&lower);
+    mesh_free(&plane);
+    return st;
+}
+
+status segment_solve(const segment_model *model, int nload, const segment_load *loads,
+                     const double (*point)[2], int keep_displacements, segment_result *out)
+{
+    status st = OK;
+    const petsc_door *door = NULL;
+    column c = {0};
+    segment_run run = {0};
+    middle mid = {0};
+    segment_result r = {0};
+    const load_list list = {.count = nload,
+                            .items = loads,
+                            .point = point,
+                            .keep = keep_displacements,
+                            .tip = model->tip};
+
+    TRY(check_model(model));
+    TRY(column_make(model->plane, model->materials, model->plane->order, model->nlevel,
+                    model->level, &c));
+    TRY(open_door(&door));
+    TRY(segment_run_make(door, &c, model->base, model->tip, &run));
+    TRY(middle_make(&c, &run, &mid));
+    r.dofs = run.dofs;
+    memcpy(r.stiffness_centre, mid.stiffness_centre, sizeof r.stiffness_centre);
+    r.tip_compliance = segment_run_compliance(&run);
+    TRY(tip_centre(r.tip_compliance, r.tip_centre));
+    r.residual = run.residual;
+    r.assemble_seconds = run.assemble_seconds;
+    r.factor_seconds = run.factor_seconds;
+    r.solve_seconds = run.solve_seconds;
+    TRY(fill_laws(door, &c, &run, &r));
+    TRY(solve_loads(&run, &mid, c.radius, &list, &r));
+    TRY(estimate_error(door, &c, model, &r));
+    *out = r;
+    r = (segment_result){0};
+
+done:
+    segment_result_free(&r);
+    segment_run_free(&run);
+    column_free(&c);
+    return st;
+}

@@ -1,0 +1,80 @@
+// io/hdf5_door.h
+// What the HDF5 module exports: a table of functions behind `hdf5_door_table`. No HDF5 type leaves
+// the module.
+//
+// Names are paths from the root, "section/EA_N". What is read is judged first: plain links only,
+// contiguous or chunked data that lie in the file itself, no filter but deflate and shuffle, sizes
+// within HDF5_MAX_BYTES.
+#pragma once
+
+#include "base/status.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+typedef enum hdf5_kind {
+    HDF5_REAL,    // double
+    HDF5_INTEGER, // int
+    HDF5_LONG,    // int64_t
+    HDF5_BYTE,    // uint8_t
+    HDF5_TEXT,    // one text of shape[0] bytes; rank 1
+} hdf5_kind;
+
+enum { HDF5_MAX_RANK = 4 };
+
+#define HDF5_MAX_BYTES ((size_t)1 << 30) // of one array: a result is far smaller
+
+typedef struct hdf5_array {
+    int kind, rank;
+    size_t shape[HDF5_MAX_RANK];
+} hdf5_array;
+
+typedef struct hdf5_file hdf5_file;
+
+typedef struct hdf5_door {
+    // A new file; one that is there already is ERR_RESOURCE.
+    status (*create)(const char *path, hdf5_file **out);
+    // Groups are made as needed; unit becomes the attribute `unit`.
+    status (*write)(hdf5_file *f, const char *name, const hdf5_array *array, const void *data,
+                    const char *unit);
+    // An attribute of a group, which is made as needed; "/" is the root.
+    status (*put)(hdf5_file *f, const char *group, const char *name, const hdf5_array *array,
+                  const void *data);
+    status (*finish)(hdf5_file *f); // flush and close; frees f also where it fails
+
+    status (*open)(const char *path, hdf5_file **out); // ERR_FILE
+    bool (*has)(const hdf5_file *f, const char *name);
+    status (*look)(const hdf5_file *f, const char *name, hdf5_array *out); // ERR_FILE
+    // Into data of the size that `look` told. ERR_FILE
+    status (*read)(const hdf5_file *f, const char *name, const hdf5_array *array, void *data);
+    // A text attribute of the root, shorter than `size`. ERR_FILE
+    status (*get_text)(const hdf5_file *f, const char *name, size_t size, char *text);
+    void (*close)(hdf5_file *f);
+} hdf5_door;
+
+typedef const hdf5_door *(*hdf5_door_table_function)(void);
+#define HDF5_DOOR_SYMBOL "hdf5_door_table"
+
+static inline size_t hdf5_kind_size(int kind)
+{
+    return kind == HDF5_REAL || kind == HDF5_LONG ? 8 : kind == HDF5_INTEGER ? 4 : 1;
+}
+
+// Bytes of an array; false where they pass HDF5_MAX_BYTES.
+static inline bool hdf5_array_bytes(const hdf5_array *array, size_t *bytes)
+{
+    *bytes = hdf5_kind_size(array->kind);
+    for (int i = 0; i < array->rank; i++) {
+        if (array->shape[i] != 0 && *bytes > HDF5_MAX_BYTES / array->shape[i]) {
+            return false;
+        }
+        *bytes *= array->shape[i];
+    }
+    return true;
+}
+
+static inline hdf5_array hdf5_text_of(size_t length)
+{
+    return (hdf5_array){.kind = HDF5_TEXT, .rank = 1, .shape = {length}};
+}

@@ -1,0 +1,257 @@
+// io/key_read.c
+#include "io/key_value.h"
+
+#include <stdio.h>
+#include <string.h>
+
+enum { MAX_KEYS = 64 }; // of one table
+
+typedef struct reader {
+    const config *cfg;
+    const key_table *table;
+    const node *map;
+    char *out;                   // the struct
+    const node *given[MAX_KEYS]; // the entry of each key; NULL: not given
+} reader;
+
+static status read_table(const config *cfg, const key_table *table, const node *n, const char *what,
+                         char *out);
+
+// tables in place begin with their own defaults, unless the table around them has defaults for the
+// whole struct
+static void fill_defaults(const key_table *table, char *out)
+{
+    if (table->initial) {
+        memcpy(out, table->initial, table->size);
+        return;
+    }
+    memset(out, 0, table->size);
+    for (int i = 0; i < table->nkey; i++) {
+        if (table->keys[i].kind == KEY_TABLE) {
+            fill_defaults(table->keys[i].table, out + table->keys[i].offset);
+        }
+    }
+}
+
+static status read_list(const value_key *v, const node *n, key_list *out)
+{
+    const bool named = v->k->kind == KEY_NAMED;
+    if (n->kind != (named ? NODE_MAP : NODE_LIST)) {
+        return value_mismatch(v, n, named ? "a map of names" : "a list");
+    }
+    const size_t size = v->k->table->size;
+    char *item = NULL;
+    status st = value_count(v, n, n->count);
+    if (st == OK) {
+        st = arena_take(v->cfg->memory, (void **)&item, (size_t)n->count, size);
+    }
+    *out = (key_list){.at = n->at, .count = n->count, .items = item};
+    for (const node *entry = n->first; entry && st == OK; entry = entry->next) {
+        const short_text name = shortened(named ? entry->key : v->written);
+        char what[96];
+        (void)snprintf(what, sizeof what, named ? "'%s'" : "this entry of '%s'", name.a);
+        fill_defaults(v->k->table, item);
+        st = read_table(v->cfg, v->k->table, entry, what, item);
+        if (named) {
+            memcpy(item, &entry->key_at, sizeof entry->key_at);
+            memcpy(item + sizeof(mark), &entry->key, sizeof entry->key);
+        }
+        item += size;
+    }
+    return st;
+}
+
+static status read_inner_table(const value_key *v, const node *n, char *out)
+{
+    char what[96];
+    (void)snprintf(what, sizeof what, "'%s'", shortened(v->written).a);
+    const status st = read_table(v->cfg, v->k->table, n, what, out);
+    memcpy(out, &n->key_at, sizeof n->key_at);
+    return st;
+}
+
+static status read_name(const value_key *v, const node *n, key_text *out)
+{
+    out->at = n->at;
+    return value_text(v, n, &out->text);
+}
+
+static status read_value(const value_key *v, const node *n, char *struct_start)
+{
+    void *out = struct_start + v->k->offset;
+    switch (v->k->kind) {
+    case KEY_REAL:
+        return value_real(v, n, out);
+    case KEY_INTEGER:
+        return value_integer(v, n, out);
+    case KEY_FLAG:
+        return value_flag(v, n, out);
+    case KEY_TEXT:
+        return value_text(v, n, out);
+    case KEY_NAME:
+        return read_name(v, n, out);
+    case KEY_CHOICE:
+        return value_choice(v, n, out);
+    case KEY_FIELD:
+        return value_field(v, n, out);
+    case KEY_VECTOR:
+        return value_vector(v, n, out);
+    case KEY_ROWS:
+        return value_rows(v, n, out);
+    case KEY_TABLE:
+        return read_inner_table(v, n, out);
+    case KEY_LIST:
+    case KEY_NAMED:
+        return read_list(v, n, out);
+    }
+    return status_fail(ERR_BUG, "key '%s' is of no known kind", v->k->name);
+}
+
+static status read_entry(reader *r, const node *entry)
+{
+    value_key v = {.cfg = r->cfg, .written = entry->key};
+    v.k = key_find(r->table, entry->key, &v.u);
+    if (!v.k) {
+        return key_unknown(r->cfg, r->table, entry);
+    }
+    const node **given = &r->given[v.k - r->table->keys];
+    if (*given) {
+        return config_fail(r->cfg, entry->key_at, "'%s' and '%s' are the same key, in two units",
+                           shortened((*given)->key).a, shortened(entry->key).a);
+    }
+    *given = entry;
+    return read_value(&v, entry, r->out);
+}
+
+static void usual_spelling(const key *k, char name[KEY_NAME_TEXT])
+{
+    const unit *units = NULL;
+    (void)unit_list(k->dimension, &units);
+    key_spelling(k, units, name);
+}
+
+// keys of one group: exactly one for a positive number, at most one for a negative
+static status check_group(const reader *r, int group, const char *what)
+{
+    const node *first = NULL;
+    char members[400] = "", name[KEY_NAME_TEXT];
+    size_t used = 0;
+    for (int i = 0; i < r->table->nkey; i++) {
+        const node *entry = r->given[i];
+        if (r->table->keys[i].one_of != group) {
+            continue;
+        }
+        usual_spelling(&r->table->keys[i], name);
+        if (used < sizeof members) {
+            used += (size_t)snprintf(members + used, sizeof members - used, "%s%s",
+                                     used ? ", " : "", name);
+        }
+        if (entry && first) {
+            const bool later = entry->key_at.line > first->key_at.line ||
+                               (entry->key_at.line == first->key_at.line &&
+                                entry->key_at.column > first->key_at.column);
+            const node *second = later ? entry : first;
+            return config_fail(r->cfg, second->key_at, "'%s' and '%s' exclude each other",
+                               shortened((later ? first : entry)->key).a, shortened(second->key).a);
+        }
+        first = entry ? entry : first;
+    }
+    return first || group < 0
+               ? OK
+               : config_fail(r->cfg, r->map->at, "one of %s is missing in %s", members, what);
+}
+
+static status check_given(const reader *r, const char *what)
+{
+    status st = OK;
+    for (int i = 0; i < r->table->nkey && st == OK; i++) {
+        const key *k = &r->table->keys[i];
+        char name[KEY_NAME_TEXT];
+        usual_spelling(k, name);
+        if (k->required && !r->given[i]) {
+            return config_fail(r->cfg, r->map->at, "key '%s' is missing in %s", name, what);
+        }
+        bool first_of_group = k->one_of != 0;
+        for (int j = 0; j < i; j++) {
+            first_of_group = first_of_group && r->table->keys[j].one_of != k->one_of;
+        }
+        if (first_of_group) {
+            st = check_group(r, k->one_of, what);
+        }
+    }
+    return st;
+}
+
+// `what`: the map's name in messages
+static status read_table(const config *cfg, const key_table *table, const node *n, const char *what,
+                         char *out)
+{
+    reader r = {.cfg = cfg, .table = table, .map = n, .out = out};
+    if (table->nkey > MAX_KEYS) {
+        return status_fail(ERR_BUG, "table '%s' has more than %d keys", table->name, MAX_KEYS);
+    }
+    if (n->kind != NODE_MAP) {
+        const bool nothing = n->kind == NODE_SCALAR && n->text[0] == '\0';
+        return config_fail(cfg, n->at, "%s: expected a map of keys, found %s", what,
+                           n->kind == NODE_LIST ? "a list"
+                           : nothing            ? "nothing"
+                                                : "a single value");
+    }
+    for (const node *entry = n->first; entry; entry = entry->next) {
+        const status st = read_entry(&r, entry);
+        if (st != OK) {
+            return st;
+        }
+    }
+    memcpy(out, &n->at, sizeof n->at);
+    return check_given(&r, what);
+}
+
+status config_read(config *cfg, const key_table *root, void *out)
+{
+    fill_defaults(root, out);
+    return read_table(cfg, root, cfg->root, "the case", out);
+}
+
+// the entry of `map` that is spelled as the key, in any unit
+static const node *find_entry(const node *map, const key *k, const unit **u)
+{
+    const key_table one = {.nkey = 1, .keys = k};
+    for (const node *entry = map->first; entry; entry = entry->next) {
+        if (key_find(&one, entry->key, u)) {
+            return entry;
+        }
+    }
+    return NULL;
+}
+
+static const node *find_map(const node *map, const char *name, size_t length)
+{
+    for (const node *entry = map->first; entry; entry = entry->next) {
+        if (strncmp(entry->key, name, length) == 0 && entry->key[length] == '\0') {
+            return entry->kind == NODE_MAP ? entry : NULL;
+        }
+    }
+    return NULL;
+}
+
+status config_peek_real(const config *cfg, const char *dotted_path, const key *k, double *value,
+                        bool *found)
+{
+    const node *map = cfg->root;
+    const char *p = dotted_path;
+    *found = false;
+    while (map && *p && strcmp(p, k->name) != 0) {
+        const size_t length = strcspn(p, ".");
+        map = find_map(map, p, length);
+        p += length + (p[length] == '.');
+    }
+    value_key v = {.cfg = cfg, .k = k};
+    const node *entry = map ? find_entry(map, k, &v.u) : NULL;
+    if (!entry) {
+        return OK;
+    }
+    v.written = entry->key;
+    *found = true;
+    return value_real(&v, entry, value);
+}

@@ -1,0 +1,315 @@
+// io/key_value.c
+#include "io/key_value.h"
+
+#include "io/nearest.h"
+
+#include <limits.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+enum {
+
+    FIELD_SAMPLES =
+        17, // places along the rod where the range of a varying number is checked, ends included
+};
+
+// what the conversion of units may add to a number that stands exactly at the end of its range
+static const double RANGE_ROUNDING = 1e-12;
+
+status value_mismatch(const value_key *v, const node *n, const char *wanted)
+{
+    char found[96];
+    if (n->kind != NODE_SCALAR) {
+        (void)snprintf(found, sizeof found, "a %s", n->kind == NODE_LIST ? "list" : "map");
+    } else if (n->plain && n->text[0] == '\0') {
+        (void)snprintf(found, sizeof found, "nothing");
+    } else {
+        (void)snprintf(found, sizeof found, "'%s'", shortened(n->text).a);
+    }
+    return config_fail(v->cfg, n->at, "'%s': expected %s, found %s", shortened(v->written).a,
+                       wanted, found);
+}
+
+status value_count(const value_key *v, const node *n, int count)
+{
+    const int most = v->k->max_count > 0 ? v->k->max_count : KEY_MAX_COUNT;
+    if (count > most) {
+        return config_fail(v->cfg, n->at, "'%s': %d entries, at most %d are allowed",
+                           shortened(v->written).a, count, most);
+    }
+    return OK;
+}
+
+static bool is_text(const node *n)
+{
+    return n->kind == NODE_SCALAR && (n->text[0] != '\0' || !n->plain);
+}
+
+static bool is_word(const char *text)
+{
+    for (const char *p = text; *p; p++) {
+        const bool letter = (*p >= 'a' && *p <= 'z') || (*p >= 'A' && *p <= 'Z') || *p == '_';
+        if (!letter && (p == text || *p < '0' || *p > '9')) {
+            return false;
+        }
+    }
+    return text[0] != '\0';
+}
+
+static status arithmetic_fails(const value_key *v, const node *n, const expression_error *error)
+{
+    mark at = n->at;
+    if (n->text_column > 0) {
+        at.column = n->text_column + error->position;
+    }
+    // a single word was hardly meant as arithmetic
+    if (is_word(n->text) && strncmp(error->words, "unknown", 7) == 0) {
+        return config_fail(v->cfg, at, "'%s': expected a number, found '%s'",
+                           shortened(v->written).a, shortened(n->text).a);
+    }
+    return config_fail(v->cfg, at, "'%s': %s", shortened(v->written).a, error->words);
+}
+
+// L and s stand in the unit of a length's key, else in metres, so that s/L is the same ratio
+// everywhere
+static const unit *arc_unit(const value_key *v)
+{
+    static const unit metre = {"m", 1};
+    return v->k->dimension == DIM_LENGTH ? v->u : &metre;
+}
+
+static expression_scope scope_of(const value_key *v)
+{
+    return (expression_scope){
+        .has_L = v->cfg->has_length,
+        .has_s = v->k->kind == KEY_FIELD,
+        .L = unit_from_si(arc_unit(v), v->cfg->length_m),
+        .no_L = "the length of the rod comes first",
+        .no_s = "this number does not vary along the rod",
+    };
+}
+
+static void limit_text(const value_key *v, double si, char *text, size_t size)
+{
+    (void)snprintf(text, size, "%.6g%s%s", unit_from_si(v->u, si), v->u->name[0] ? " " : "",
+                   v->u->name);
+}
+
+// at_s: where along the rod, for the message; "" where that does not matter
+static status check_range(const value_key *v, const node *n, double *si, const char *at_s)
+{
+    const double least = v->k->min, most = v->k->max;
+    const short_text name = shortened(v->written);
+    char value[48], from[48], to[48];
+    if (!isfinite(*si)) {
+        return config_fail(v->cfg, n->at, "'%s': this is not a finite number%s", name.a, at_s);
+    }
+    const double slack = RANGE_ROUNDING * fmax(fabs(least), fabs(most));
+    const double room = isfinite(slack) ? slack : 0;
+    if ((least == 0 && most == 0) || (*si >= least - room && *si <= most + room)) {
+        *si = least == 0 && most == 0 ? *si : fmin(fmax(*si, least), most);
+        return OK;
+    }
+    limit_text(v, *si, value, sizeof value);
+    limit_text(v, least, from, sizeof from);
+    limit_text(v, most, to, sizeof to);
+    if (!isfinite(most)) {
+        return config_fail(v->cfg, n->at, "'%s': %s%s is out of range, %s at least", name.a, value,
+                           at_s, from);
+    }
+    return config_fail(v->cfg, n->at, "'%s': %s%s is out of range, %s to %s", name.a, value, at_s,
+                       from, to);
+}
+
+status value_real(const value_key *v, const node *n, double *out)
+{
+    expression_error error = {0};
+    double value = 0;
+    if (!is_text(n)) {
+        return value_mismatch(v, n, "a number");
+    }
+    const expression_scope scope = scope_of(v);
+    const status st = expression_value(v->cfg->arithmetic, n->text, &scope, &value, &error);
+    if (st == ERR_INPUT) {
+        return arithmetic_fails(v, n, &error);
+    }
+    if (st != OK) {
+        return st;
+    }
+    *out = unit_to_si(v->u, value);
+    return check_range(v, n, out, "");
+}
+
+status value_integer(const value_key *v, const node *n, int *out)
+{
+    double value = 0;
+    const status st = value_real(v, n, &value);
+    if (st != OK) {
+        return st;
+    }
+    if (value != rint(value) || fabs(value) > INT_MAX) {
+        return value_mismatch(v, n, "a whole number");
+    }
+    *out = (int)value;
+    return OK;
+}
+
+status value_flag(const value_key *v, const node *n, bool *out)
+{
+    const bool text = is_text(n);
+    *out = text && strcmp(n->text, "true") == 0;
+    if (!*out && !(text && strcmp(n->text, "false") == 0)) {
+        return value_mismatch(v, n, "true or false");
+    }
+    return OK;
+}
+
+status value_text(const value_key *v, const node *n, const char **out)
+{
+    if (!is_text(n)) {
+        return value_mismatch(v, n, "a text");
+    }
+    *out = n->text;
+    return OK;
+}
+
+status value_choice(const value_key *v, const node *n, int *out)
+{
+    char wanted[400], words[NEAREST_WORDS];
+    nearest near = nearest_to(is_text(n) ? n->text : "");
+    size_t used = (size_t)snprintf(wanted, sizeof wanted, "one of");
+    const char *p = v->k->choices;
+    for (int i = 0; p; i++) {
+        char choice[NEAREST_NAME];
+        const size_t length = strcspn(p, "|");
+        (void)snprintf(choice, sizeof choice, "%.*s", (int)length, p);
+        if (is_text(n) && strcmp(n->text, choice) == 0) {
+            *out = i;
+            return OK;
+        }
+        nearest_offer(&near, choice, choice);
+        if (used < sizeof wanted) {
+            used += (size_t)snprintf(wanted + used, sizeof wanted - used, "%s %s", i ? "," : "",
+                                     choice);
+        }
+        p = p[length] ? p + length + 1 : NULL;
+    }
+    if (!is_text(n) || !near.best[0]) {
+        return value_mismatch(v, n, wanted);
+    }
+    return config_fail(v->cfg, n->at, "'%s': expected %s, found '%s'%s", shortened(v->written).a,
+                       wanted, shortened(n->text).a, nearest_words(&near, words));
+}
+
+typedef struct varying {
+    const expression *compiled;
+    const unit *arc, *value;
+} varying;
+
+static double varying_at(const void *expression, double s)
+{
+    const varying *f = expression;
+    return unit_to_si(f->value, expression_at(f->compiled, unit_from_si(f->arc, s)));
+}
+
+static status check_along(const value_key *v, const node *n, const field *f)
+{
+    status st = OK;
+    for (int i = 0; v->cfg->has_length && st == OK && i < FIELD_SAMPLES; i++) {
+        char where[48];
+        const double s = v->cfg->length_m * i / (FIELD_SAMPLES - 1);
+        double value = field_at(f, s);
+        (void)snprintf(where, sizeof where, " at s = %.6g mm", 1e3 * s);
+        st = check_range(v, n, &value, where);
+    }
+    return st;
+}
+
+status value_field(const value_key *v, const node *n, field *out)
+{
+    if (!is_text(n) || !expression_uses_s(n->text)) {
+        *out = (field){0};
+        return value_real(v, n, &out->value);
+    }
+    expression_error error = {0};
+    varying *f = NULL;
+    const expression_scope scope = scope_of(v);
+    status st = ARENA_TAKE(v->cfg->memory, f, 1);
+    if (st != OK) {
+        return st;
+    }
+    f->arc = arc_unit(v);
+    f->value = v->u;
+    st = expression_compile(v->cfg->arithmetic, n->text, &scope, &f->compiled, &error);
+    if (st != OK) {
+        return st == ERR_INPUT ? arithmetic_fails(v, n, &error) : st;
+    }
+    *out = (field){.at = varying_at, .expression = f};
+    return check_along(v, n, out);
+}
+
+status value_vector(const value_key *v, const node *n, double *out)
+{
+    char wanted[48];
+    (void)snprintf(wanted, sizeof wanted, "a list of %d numbers", v->k->count);
+    if (n->kind != NODE_LIST) {
+        return value_mismatch(v, n, wanted);
+    }
+    if (n->count != v->k->count) {
+        return config_fail(v->cfg, n->at, "'%s': expected %s, found %d", shortened(v->written).a,
+                           wanted, n->count);
+    }
+    status st = OK;
+    int i = 0;
+    for (const node *item = n->first; item && st == OK; item = item->next) {
+        st = value_real(v, item, &out[i++]);
+    }
+    return st;
+}
+
+// every row is a list of ncol; looked at before memory is taken for nrow * ncol numbers
+static status check_rows(const value_key *v, const node *row, int nrow, int ncol)
+{
+    for (int i = 0; i < nrow; i++, row = row->next) {
+        if (row->kind != NODE_LIST) {
+            return value_mismatch(v, row, "a row of numbers, [a, b, ...]");
+        }
+        if (row->count == 0) {
+            return value_mismatch(v, row, "at least one number in a row");
+        }
+        if (row->count != ncol) {
+            return config_fail(v->cfg, row->at, "'%s': expected rows of %d, found a row of %d",
+                               shortened(v->written).a, ncol, row->count);
+        }
+    }
+    return OK;
+}
+
+status value_rows(const value_key *v, const node *n, key_rows *out)
+{
+    if (n->kind != NODE_LIST) {
+        return value_mismatch(v, n, "a list of rows of numbers");
+    }
+    if (n->count == 0) {
+        return config_fail(v->cfg, n->at, "'%s': the list is empty", shortened(v->written).a);
+    }
+    const bool flat = n->first->kind == NODE_SCALAR;
+    const node *row = flat ? n : n->first;
+    const int ncol = v->k->count > 0 ? v->k->count : row->kind == NODE_LIST ? row->count : 1;
+    const int nrow = flat ? 1 : n->count;
+    status st = OK;
+    TRY(value_count(v, n, nrow));
+    TRY(check_rows(v, row, nrow, ncol));
+    *out = (key_rows){.at = n->at, .nrow = nrow, .ncol = ncol};
+    TRY(ARENA_TAKE(v->cfg->memory, out->a, (size_t)nrow * (size_t)ncol));
+    double *a = out->a;
+    for (int i = 0; i < nrow; i++, row = row->next) {
+        for (const node *item = row->first; item; item = item->next) {
+            TRY(value_real(v, item, a++));
+        }
+    }
+
+done:
+    return st;
+}

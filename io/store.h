@@ -1,0 +1,50 @@
+// io/store.h
+// One HDF5 file per run: our numbers with units beside them, and VTKHDF 1.0 unstructured grids.
+// Opens the HDF5 module. Written under a temporary name, flushed, closed, fsynced and renamed; read
+// back for `report`.
+#pragma once
+
+#include "base/mesh.h"
+#include "base/status.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+typedef struct store store;
+
+status store_create(const char *path, store **out); // writes path.tmp-PID until store_commit
+status store_commit(store *s); // everything or nothing: rename into place, frees s
+void store_abandon(store *s);  // removes the temporary file; NULL is fine
+
+// name: "section/EA_N", groups made as needed. rank <= 4. unit: "N", "m", "-" ..., kept as
+// attribute `unit`.
+status store_real(store *s, const char *name, int rank, const size_t *shape, const double *data,
+                  const char *unit);
+status store_integer(store *s, const char *name, int rank, const size_t *shape, const int *data);
+status store_text(store *s, const char *name, const char *text, size_t length);
+
+// One piece of the unstructured grid at /VTKHDF. A high-order cell is cut into order^dim linear
+// cells on its nodes. All pieces must have the same point fields; cell data: material, part (the
+// piece's number).
+typedef struct store_field {
+    const char *name;   // with its unit, "displacement_GC_m"
+    int ncomponent;     // 1 or 3
+    const double *data; // [nnode][ncomponent]
+} store_field;
+typedef struct store_grid_piece {
+    const mesh *mesh;
+    const double *displacement; // added to the coordinates; NULL: undeformed
+    int nfield;
+    const store_field *field;
+} store_grid_piece;
+status store_grid(store *s, int npiece, const store_grid_piece *pieces);
+
+status store_open(const char *path,
+                  store **out); // ERR_FILE: damaged, or not a result of this program
+bool store_has(const store *s, const char *name);
+// *data is the caller's to free; shape[4] filled, rank in *rank.
+status store_read_real(const store *s, const char *name, int *rank, size_t shape[4], double **data);
+status store_read_integer(const store *s, const char *name, int *rank, size_t shape[4], int **data);
+status store_read_text(const store *s, const char *name, char **text,
+                       size_t *length); // NUL added after length
+void store_close(store *s);

@@ -1,0 +1,66 @@
+// meshes/gmsh_door.h
+// What the gmsh module takes and gives: shapes as loops of sides in; straight triangles, the faces
+// they fill and the curves they follow out. Plain types only. All lengths are in units of the
+// section's size, since gmsh's tolerances are absolute.
+#pragma once
+
+#include "base/status.h"
+
+#include <stdbool.h>
+
+typedef enum side_kind {
+    SIDE_LINE,
+    SIDE_ARC,    // about `centre`, less than a half turn, the short way
+    SIDE_CIRCLE, // about `centre`, alone in its loop
+} side_kind;
+
+// From `from` to where the loop's next side begins.
+typedef struct plane_side {
+    side_kind kind;
+    double from[2], centre[2];
+} plane_side;
+
+enum { CURVE_PROBES = 33 };
+
+// A fragment is what the shapes' edges divide the plane into: a face, bounded by curves.
+typedef struct plane_pieces {
+    int nface, ncurve;
+    int *owner;     // [nface] index of the shape on top; faces without material are left out
+    double *area;   // [nface] of the exact geometry
+    double *around; // [nface] length of its boundary
+    int *tag;       // [ncurve] gmsh's name of it
+    double *length; // [ncurve]
+    double *probe;  // [ncurve][CURVE_PROBES][2] points along it, equally spaced, both ends included
+    int nnode, ntriangle, nsegment;
+    double *xy;   // [nnode][2]
+    int *corner;  // [ntriangle][3]
+    int *face;    // [ntriangle]
+    int *segment; // [nsegment][2] nodes of element edges that follow curves
+    int *curve;   // [nsegment]
+} plane_pieces;
+
+typedef struct plane_request plane_request;
+
+struct plane_request {
+    int nshape;
+    bool *cuts;      // [nshape] the shape has no material
+    int *loop_start; // [nshape + 1] into side_start; a shape's first loop is its outer one
+    int *side_start; // [loops + 1] into side
+    plane_side *side;
+    double length; // target edge length
+    double angle;  // largest arc of an edge [rad]
+    int nsource;
+    double *
+        source; // [nsource][3] x, y and the edge length wanted there; it may grow with the distance
+    // Asked before meshing, with faces and curves known: parts [ncurve] equal edges of each curve,
+    // 0 where `size_at` decides.
+    status (*divide)(plane_request *r, const plane_pieces *p, int *parts);
+    const plane_pieces *known; // what `divide` was asked about
+    // gmsh's question for an edge length; `request` is the plane_request.
+    double (*size_at)(int dim, int tag, double x, double y, double z, void *request);
+};
+
+// Symbol "gmsh_door_mesh" of the module; to be called once in a process. ERR_NUMERIC with gmsh's
+// words where it gave up. The caller frees what is in *out, also after a failure.
+typedef status (*gmsh_door_mesh_function)(plane_request *request, plane_pieces *out);
+status gmsh_door_mesh(plane_request *request, plane_pieces *out);

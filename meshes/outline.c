@@ -1,0 +1,111 @@
+// meshes/outline.c
+#include "meshes/outline.h"
+
+#include "meshes/polygon.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#define PI 3.14159265358979323846
+
+const char *shape_kind_name(shape_kind kind)
+{
+    static const char *const names[KIND_COUNT] = {"annulus", "sector", "disc", "rectangle",
+                                                  "polygon"};
+    return names[kind];
+}
+
+status outline_fail(const outline *o, int index, const char *format, ...)
+{
+    char words[512], line[32] = "";
+    va_list args;
+    va_start(args, format);
+    (void)vsnprintf(words, sizeof words, format, args);
+    va_end(args);
+    if (mark_given(o->at)) {
+        (void)snprintf(line, sizeof line, ", line %d", o->at.line);
+    }
+    return status_fail(ERR_INPUT, "shape %d (%s%s): %s", index + 1, shape_kind_name(o->kind), line,
+                       words);
+}
+
+double angle_fold(double angle)
+{
+    return remainder(angle, 2 * PI);
+}
+
+void rectangle_corners(const outline *o, double corner[4][2])
+{
+    const double c = cos(o->angle), s = sin(o->angle);
+    const double sign[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
+    for (int i = 0; i < 4; i++) {
+        const double x = sign[i][0] * o->size[0] / 2, y = sign[i][1] * o->size[1] / 2;
+        corner[i][0] = o->centre[0] + c * x - s * y;
+        corner[i][1] = o->centre[1] + s * x + c * y;
+    }
+}
+
+static bool ring_contains(const outline *o, double x, double y)
+{
+    const double dx = x - o->centre[0], dy = y - o->centre[1], r = hypot(dx, dy);
+    if (r > o->outer || r < o->inner) {
+        return false;
+    }
+    return o->kind != KIND_SECTOR || fabs(angle_fold(atan2(dy, dx) - o->mid_angle)) <= o->width / 2;
+}
+
+bool outline_contains(const outline *o, double x, double y)
+{
+    const double dx = x - o->centre[0], dy = y - o->centre[1];
+    switch (o->kind) {
+    case KIND_ANNULUS:
+    case KIND_SECTOR:
+    case KIND_DISC:
+        return ring_contains(o, x, y);
+    case KIND_RECTANGLE: {
+        const double c = cos(o->angle), s = sin(o->angle);
+        return fabs(c * dx + s * dy) <= o->size[0] / 2 && fabs(c * dy - s * dx) <= o->size[1] / 2;
+    }
+    case KIND_POLYGON: {
+        bool inside = false;
+        for (int k = 0; k < o->nloop; k++) {
+            inside ^= loop_contains(outline_loop(o, k), x, y);
+        }
+        return inside;
+    }
+    case KIND_COUNT:
+        break;
+    }
+    return false;
+}
+
+int section_top_shape(const section_outline *o, double x, double y)
+{
+    int k = o->count - 1;
+    while (k >= 0 && !outline_contains(&o->items[k], x, y)) {
+        k--;
+    }
+    return k;
+}
+
+double outline_reach(const outline *o)
+{
+    double reach = 0;
+    if (o->kind == KIND_POLYGON) {
+        for (int i = 0; i < o->loop_start[1]; i++) {
+            reach = fmax(reach, hypot(o->point[2 * i], o->point[2 * i + 1]));
+        }
+        return reach;
+    }
+    if (o->kind == KIND_RECTANGLE) {
+        double corner[4][2];
+        rectangle_corners(o, corner);
+        for (int i = 0; i < 4; i++) {
+            reach = fmax(reach, hypot(corner[i][0], corner[i][1]));
+        }
+        return reach;
+    }
+    return hypot(o->centre[0], o->centre[1]) + o->outer;
+}

@@ -1,0 +1,162 @@
+// meshes/plane_shapes.c
+#include "meshes/plane_shapes.h"
+
+#include "base/memory.h"
+#include "meshes/outline.h"
+#include "meshes/polygon.h"
+
+#include <math.h>
+
+// a sector's arcs stay well below a half turn
+static const double LARGEST_ARC = 2;
+
+enum { SECTOR_SIDES = 12 }; // at most: four arcs on either circle, two lines, and room to spare
+
+void plane_request_free(plane_request *r)
+{
+    free(r->cuts);
+    free(r->loop_start);
+    free(r->side_start);
+    free(r->side);
+    free(r->source);
+    *r = (plane_request){0};
+}
+
+typedef struct writer {
+    plane_request *r;
+    const section_outline *o;
+    int nloop, nside;
+} writer;
+
+static void end_loop(writer *w)
+{
+    w->r->side_start[++w->nloop] = w->nside;
+}
+
+static void add_line(writer *w, double x, double y)
+{
+    const double unit = w->o->size;
+    w->r->side[w->nside++] = (plane_side){.kind = SIDE_LINE, .from = {x / unit, y / unit}};
+}
+
+static void add_round(writer *w, side_kind kind, const double *centre, double radius, double angle)
+{
+    const double unit = w->o->size;
+    w->r->side[w->nside++] = (plane_side){.kind = kind,
+                                          .from = {(centre[0] + radius * cos(angle)) / unit,
+                                                   (centre[1] + radius * sin(angle)) / unit},
+                                          .centre = {centre[0] / unit, centre[1] / unit}};
+}
+
+static void add_arcs(writer *w, const double *centre, double radius, double from, double to)
+{
+    const int n = (int)ceil(fabs(to - from) / LARGEST_ARC);
+    for (int i = 0; i < n; i++) {
+        add_round(w, SIDE_ARC, centre, radius, from + (to - from) * i / n);
+    }
+}
+
+// A circle begins where a sector about the same centre has an edge, so that its first point does
+// not come to lie just beside a corner of that.
+static double first_angle(const section_outline *o, const outline *ring)
+{
+    for (int k = o->count - 1; k >= 0; k--) {
+        const outline *p = &o->items[k];
+        const double off = hypot(p->centre[0] - ring->centre[0], p->centre[1] - ring->centre[1]);
+        if (p->kind == KIND_SECTOR && off <= OUTLINE_MERGE * o->size) {
+            return p->mid_angle - p->width / 2;
+        }
+    }
+    return o->turn;
+}
+
+static void add_ring(writer *w, const outline *o)
+{
+    const double start = first_angle(w->o, o);
+    add_round(w, SIDE_CIRCLE, o->centre, o->outer, start);
+    end_loop(w);
+    if (o->inner > 0) {
+        add_round(w, SIDE_CIRCLE, o->centre, o->inner, start);
+        end_loop(w);
+    }
+}
+
+static void add_sector(writer *w, const outline *o)
+{
+    const double a = o->mid_angle - o->width / 2, b = o->mid_angle + o->width / 2;
+    add_arcs(w, o->centre, o->outer, a, b);
+    add_line(w, o->centre[0] + o->outer * cos(b), o->centre[1] + o->outer * sin(b));
+    if (o->inner > 0) {
+        add_arcs(w, o->centre, o->inner, b, a);
+    }
+    add_line(w, o->centre[0] + o->inner * cos(a), o->centre[1] + o->inner * sin(a));
+    end_loop(w);
+}
+
+static void add_rectangle(writer *w, const outline *o)
+{
+    double corner[4][2];
+    rectangle_corners(o, corner);
+    for (int i = 0; i < 4; i++) {
+        add_line(w, corner[i][0], corner[i][1]);
+    }
+    end_loop(w);
+}
+
+// all loops counter-clockwise: OpenCASCADE's area of a face counts holes that run the other way as filled
+static void add_polygon(writer *w, const outline *o)
+{
+    for (int k = 0; k < o->nloop; k++) {
+        const loop a = outline_loop(o, k);
+        for (int i = 0; i < a.n; i++) {
+            const double *x = a.p + 2 * (k == 0 ? i : a.n - 1 - i);
+            add_line(w, x[0], x[1]);
+        }
+        end_loop(w);
+    }
+}
+
+static void add_shape(writer *w, const outline *o)
+{
+    switch (o->kind) {
+    case KIND_SECTOR:
+        add_sector(w, o);
+        break;
+    case KIND_RECTANGLE:
+        add_rectangle(w, o);
+        break;
+    case KIND_POLYGON:
+        add_polygon(w, o);
+        break;
+    default:
+        add_ring(w, o);
+        break;
+    }
+}
+
+status plane_shapes_make(const section_outline *o, plane_request *out)
+{
+    status st = OK;
+    writer w = {.r = out, .o = o};
+    size_t nloop = 0, nside = 0;
+
+    for (int k = 0; k < o->count; k++) {
+        const outline *p = &o->items[k];
+        const bool polygon = p->kind == KIND_POLYGON;
+        nloop += polygon ? (size_t)p->nloop : 2;
+        nside += polygon ? (size_t)p->loop_start[p->nloop] : SECTOR_SIDES;
+    }
+    out->nshape = o->count;
+    TRY(TAKE(out->cuts, (size_t)o->count));
+    TRY(TAKE(out->loop_start, (size_t)o->count + 1));
+    TRY(TAKE(out->side_start, nloop + 1));
+    TRY(TAKE(out->side, nside));
+    for (int k = 0; k < o->count; k++) {
+        out->cuts[k] = o->items[k].material < 0;
+        add_shape(&w, &o->items[k]);
+        out->loop_start[k + 1] = w.nloop;
+    }
+
+done:
+    return st;
+}

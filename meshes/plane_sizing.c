@@ -1,0 +1,142 @@
+// meshes/plane_sizing.c
+#include "meshes/plane_sizing.h"
+
+#include "base/memory.h"
+#include "meshes/outline.h"
+#include "meshes/sizing.h"
+
+#include <math.h>
+
+#define PI 3.14159265358979323846
+
+// lengths grow by this part of the distance from a place that asks for short ones
+static const double GROWTH = 0.5;
+
+static double thickness(const outline *o)
+{
+    const double wall = o->outer - o->inner, hole = o->inner > 0 ? o->inner : o->outer;
+    switch (o->kind) {
+    case KIND_ANNULUS:
+        return fmin(wall, hole);
+    case KIND_SECTOR:
+        return fmin(fmin(wall, hole), o->outer * fmin(o->width, 2 * PI - o->width));
+    case KIND_DISC:
+        return o->outer;
+    case KIND_RECTANGLE:
+        return fmin(o->size[0], o->size[1]);
+    default:
+        return INFINITY; // a polygon's edges were compared with one another
+    }
+}
+
+status section_check_thickness(const section_outline *o)
+{
+    for (int k = 0; k < o->count; k++) {
+        if (thickness(&o->items[k]) < OUTLINE_SLIVER * o->size) {
+            return outline_fail(&o->items[k], k, "it is thinner than %g of the section's size",
+                                OUTLINE_SLIVER);
+        }
+    }
+    return OK;
+}
+
+// the boundary of a long thin face is twice its area over its width
+static status check_slivers(const plane_pieces *p)
+{
+    for (int f = 0; f < p->nface; f++) {
+        if (!(2 * p->area[f] >= OUTLINE_SLIVER * p->around[f])) {
+            return status_fail(
+                ERR_INPUT,
+                "shape %d: the overlaps leave a sliver of it, thinner than %g of the "
+                "section's size",
+                p->owner[f] + 1, OUTLINE_SLIVER);
+        }
+    }
+    return OK;
+}
+
+static double source_limit(const plane_request *r, const double *x)
+{
+    double limit = INFINITY;
+    for (int i = 0; i < r->nsource; i++) {
+        const double *s = r->source + 3 * (size_t)i;
+        limit = fmin(limit, s[2] + GROWTH * hypot(x[0] - s[0], x[1] - s[1]));
+    }
+    return limit;
+}
+
+// the angle by which a line or an arc turns from its start to its end: equal steps of the probes
+static double turn_of(const double *probe)
+{
+    const double *a = probe, *b = probe + 2, *c = probe + 4;
+    const double ux = b[0] - a[0], uy = b[1] - a[1], vx = c[0] - b[0], vy = c[1] - b[1];
+    return fabs(atan2(ux * vy - uy * vx, ux * vx + uy * vy)) * (CURVE_PROBES - 1);
+}
+
+// how many equal edges a curve takes by the length and the arc
+static double natural_parts(const plane_request *r, const plane_pieces *p, int curve)
+{
+    const double turn = turn_of(p->probe + 2 * CURVE_PROBES * (size_t)curve);
+    const double closed = turn > PI ? 3 : 1;
+    return fmax(fmax(closed, sizing_parts(turn, r->angle)),
+                sizing_parts(p->length[curve], r->length));
+}
+
+double plane_size_at(int dim, int tag, double x, double y, double z, void *request)
+{
+    (void)z;
+    const plane_request *r = request;
+    const plane_pieces *p = r->known;
+    const double at[2] = {x, y};
+    double size = r->length;
+    for (int i = 0; dim == 1 && i < p->ncurve; i++) {
+        if (p->tag[i] == tag) {
+            size = p->length[i] / natural_parts(r, p, i);
+        }
+    }
+    return fmin(size, source_limit(r, at));
+}
+
+status plane_divide(plane_request *r, const plane_pieces *p, int *parts)
+{
+    status st = OK;
+    r->known = p;
+    TRY(check_slivers(p));
+    for (int i = 0; i < p->ncurve; i++) {
+        const double *probe = p->probe + 2 * CURVE_PROBES * (size_t)i;
+        if (p->length[i] < OUTLINE_SLIVER) {
+            TRY(status_fail(ERR_INPUT,
+                            "the overlaps of the shapes leave an edge at (%g, %g) of the section's "
+                            "size that is shorter than %g of it",
+                            probe[0], probe[1], OUTLINE_SLIVER));
+        }
+        const double n = natural_parts(r, p, i);
+        if (!(n < SECTION_MOST_ELEMENTS)) {
+            TRY(status_fail(ERR_INPUT, "mesh: its size asks for more than %d elements",
+                            SECTION_MOST_ELEMENTS));
+        }
+        parts[i] = (int)n;
+        for (int k = 0; k < CURVE_PROBES; k++) {
+            if (source_limit(r, probe + 2 * k) < p->length[i] / n) {
+                parts[i] = 0;
+            }
+        }
+    }
+
+done:
+    return st;
+}
+
+status plane_add_source(plane_request *r, double x, double y, double length)
+{
+    double *more = realloc(r->source, 3 * ((size_t)r->nsource + 1) * sizeof *more);
+    if (!more) {
+        return status_fail(ERR_RESOURCE, "out of memory");
+    }
+    r->source = more;
+    double *s = more + 3 * (size_t)r->nsource++;
+    s[0] = x;
+    s[1] = y;
+    s[2] = length;
+    return OK;
+}

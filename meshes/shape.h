@@ -1,0 +1,109 @@
+// meshes/shape.h
+// What a person draws: shapes laid on one another, a later shape on top of the earlier ones. Every
+// number may vary along the rod; at one arclength the shapes freeze into outlines.
+#pragma once
+
+#include "base/key.h"
+#include "base/status.h"
+
+typedef enum shape_kind {
+    KIND_ANNULUS,
+    KIND_SECTOR,
+    KIND_DISC,
+    KIND_RECTANGLE,
+    KIND_POLYGON,
+    KIND_COUNT
+} shape_kind;
+
+typedef struct ring_spec { // annulus and sector (a sector of an annulus; inner radius 0 gives a
+                           // slice of a disc)
+    mark at;
+    field outer_radius, inner_radius; // [m]
+    field mid_angle, width;           // sector only; width is the full angular width [rad]
+    field centre[2];                  // [m], 0 unless given: keys centre_x, centre_y
+} ring_spec;
+
+typedef struct disc_spec {
+    mark at;
+    field radius;
+    field centre[2];
+} disc_spec;
+
+typedef struct rectangle_spec {
+    mark at;
+    field width, height; // along its own x and y [m]
+    field angle;         // of its own x from the section's x [rad]
+    field centre[2];
+} rectangle_spec;
+
+typedef struct hole_spec {
+    mark at;
+    key_rows points; // [n][2] [m]
+} hole_spec;
+
+typedef struct polygon_spec {
+    mark at;
+    key_rows points; // [n][2] [m], either sense of turning, not closed
+    key_list holes;  // of hole_spec
+    field angle;     // turned about `centre`, then moved there
+    field centre[2];
+} polygon_spec;
+
+typedef struct shape_spec {
+    mark at;
+    ring_spec annulus, sector; // exactly one of the five is given
+    disc_spec disc;
+    rectangle_spec rectangle;
+    polygon_spec polygon;
+    key_text material;  // a name, or "none": the shape cuts a hole into what lies below
+    int material_index; // set by shapes_bind; -1 for none
+} shape_spec;
+
+extern const key_table shape_keys; // one entry of `section.shapes`
+
+// Sets every shape's material_index from its material's name: shapes of shape_spec, materials of
+// material. ERR_INPUT for a name that is not there; *where is then its place in the case.
+status shapes_bind(key_list shapes, key_list materials, mark *where);
+
+typedef struct shape_list {
+    int count;
+    const shape_spec *items; // owned by the case
+} shape_list;
+
+// A frozen shape, SI. Rings, discs: centre, radii, and for a sector mid angle and width. Rectangle:
+// centre, size, angle. Polygon: loops already turned and moved, outer loop first and
+// counter-clockwise, holes clockwise.
+typedef struct outline {
+    shape_kind kind;
+    int material;     // -1 cuts
+    mark at;          // for messages
+    double centre[2]; // [m]
+    double outer, inner, mid_angle, width;
+    double size[2], angle;
+    int nloop;
+    int *loop_start; // [nloop + 1], into point
+    double *point;   // [loop_start[nloop]][2]
+} outline;
+
+typedef struct section_outline {
+    int count;
+    outline *items;
+    double turn; // declared turn of the pattern: the mid angle of the last sector; without one the
+                 // angle of the last rectangle or polygon; else 0 [rad]
+    bool has_symmetry; // a sector declares its mid angle as a symmetry axis and nothing contradicts
+                       // it
+    double size;       // radius about the origin that holds everything [m]
+} section_outline;
+
+// The shapes at arclength s. ERR_INPUT with the shape's place in the case: radius inside out, width
+// outside (0, 2 pi), a polygon that crosses itself, a hole outside its polygon, a number that is
+// not finite, ...
+status shapes_at(shape_list shapes, double s, section_outline *out);
+void section_outline_free(section_outline *o);
+
+bool shapes_vary(shape_list shapes);
+
+// Whether b is a turned by *angle about the origin, to `tolerance` times the size. The candidate is
+// b.turn - a.turn.
+bool section_outline_is_turned(const section_outline *a, const section_outline *b, double tolerance,
+                               double *angle);

@@ -1,0 +1,209 @@
+// meshes/shape_keys.c
+#include "meshes/mesher.h"
+#include "meshes/shape.h"
+
+#include <math.h>
+
+// Drawn lengths lie between these; the unit is most likely a mistake outside of them.
+#define SMALLEST_LENGTH 1e-8
+#define LARGEST_LENGTH 1e3
+
+enum { MOST_SHAPES = 500, MOST_POINTS = 2000, MOST_HOLES = 200 };
+
+#define COUNT(keys) ((int)(sizeof(keys) / sizeof *(keys)))
+
+#define LENGTH_KEY(word, type, member, words)                                                      \
+    {                                                                                              \
+        .name = word, .kind = KEY_FIELD, .dimension = DIM_LENGTH, .min = SMALLEST_LENGTH,          \
+        .max = LARGEST_LENGTH, .required = true, .offset = offsetof(type, member), .about = words  \
+    }
+
+#define CENTRE_KEYS(type)                                                                          \
+    {.name = "centre_x",                                                                           \
+     .kind = KEY_FIELD,                                                                            \
+     .dimension = DIM_LENGTH,                                                                      \
+     .min = -LARGEST_LENGTH,                                                                       \
+     .max = LARGEST_LENGTH,                                                                        \
+     .initial = "0",                                                                               \
+     .offset = offsetof(type, centre[0]),                                                          \
+     .about = "x of its centre in the section"},                                                   \
+    {                                                                                              \
+        .name = "centre_y", .kind = KEY_FIELD, .dimension = DIM_LENGTH, .min = -LARGEST_LENGTH,    \
+        .max = LARGEST_LENGTH, .initial = "0", .offset = offsetof(type, centre[1]),                \
+        .about = "y of its centre in the section"                                                  \
+    }
+
+#define INNER_RADIUS_KEY                                                                           \
+    {                                                                                              \
+        .name = "inner_radius", .kind = KEY_FIELD, .dimension = DIM_LENGTH, .min = 0,              \
+        .max = LARGEST_LENGTH, .required = true, .offset = offsetof(ring_spec, inner_radius),      \
+        .about = "radius of the inner circle; 0: down to the centre"                               \
+    }
+
+#define ANGLE_KEY(type)                                                                            \
+    {                                                                                              \
+        .name = "angle", .kind = KEY_FIELD, .dimension = DIM_ANGLE, .initial = "0",                \
+        .offset = offsetof(type, angle),                                                           \
+        .about = "turn of its own x axis from the section's x axis, about its centre"              \
+    }
+
+static const key annulus_key_list[] = {
+    LENGTH_KEY("outer_radius", ring_spec, outer_radius, "radius of the outer circle"),
+    INNER_RADIUS_KEY,
+    CENTRE_KEYS(ring_spec),
+};
+
+static const key_table annulus_keys = {.name = "annulus",
+                                       .size = sizeof(ring_spec),
+                                       .nkey = COUNT(annulus_key_list),
+                                       .keys = annulus_key_list,
+                                       .about = "a full ring"};
+
+static const key sector_key_list[] = {
+    LENGTH_KEY("outer_radius", ring_spec, outer_radius, "radius of the outer circle"),
+    INNER_RADIUS_KEY,
+    {.name = "mid_angle",
+     .kind = KEY_FIELD,
+     .dimension = DIM_ANGLE,
+     .required = true,
+     .offset = offsetof(ring_spec, mid_angle),
+     .about = "direction of its middle from the x axis; declares how the pattern turns along s"},
+    {.name = "width",
+     .kind = KEY_FIELD,
+     .dimension = DIM_ANGLE,
+     .min = 0,
+     .max = 2 * 3.14159265358979323846,
+     .required = true,
+     .offset = offsetof(ring_spec, width),
+     .about = "full angular width, more than 0 and less than 2 pi"},
+    CENTRE_KEYS(ring_spec),
+};
+
+static const key_table sector_keys = {.name = "sector",
+                                      .size = sizeof(ring_spec),
+                                      .nkey = COUNT(sector_key_list),
+                                      .keys = sector_key_list,
+                                      .about = "a part of a ring between two angles"};
+
+static const key disc_key_list[] = {
+    LENGTH_KEY("radius", disc_spec, radius, "radius of the circle"),
+    CENTRE_KEYS(disc_spec),
+};
+
+static const key_table disc_keys = {.name = "disc",
+                                    .size = sizeof(disc_spec),
+                                    .nkey = COUNT(disc_key_list),
+                                    .keys = disc_key_list,
+                                    .about = "a full circle"};
+
+static const key rectangle_key_list[] = {
+    LENGTH_KEY("width", rectangle_spec, width, "edge along its own x axis"),
+    LENGTH_KEY("height", rectangle_spec, height, "edge along its own y axis"),
+    ANGLE_KEY(rectangle_spec),
+    CENTRE_KEYS(rectangle_spec),
+};
+
+static const key_table rectangle_keys = {.name = "rectangle",
+                                         .size = sizeof(rectangle_spec),
+                                         .nkey = COUNT(rectangle_key_list),
+                                         .keys = rectangle_key_list,
+                                         .about = "a rectangle about its centre"};
+
+#define POINTS_KEY(type)                                                                           \
+    {                                                                                              \
+        .name = "points", .kind = KEY_ROWS, .dimension = DIM_LENGTH, .min = -LARGEST_LENGTH,       \
+        .max = LARGEST_LENGTH, .count = 2, .max_count = MOST_POINTS, .required = true,             \
+        .offset = offsetof(type, points),                                                          \
+        .about = "corners [x, y] in order, either sense; the last joins the first"                 \
+    }
+
+static const key hole_key_list[] = {POINTS_KEY(hole_spec)};
+
+static const key_table hole_keys = {.name = "hole",
+                                    .size = sizeof(hole_spec),
+                                    .nkey = COUNT(hole_key_list),
+                                    .keys = hole_key_list,
+                                    .about = "a polygonal hole, inside its polygon"};
+
+static const key polygon_key_list[] = {
+    POINTS_KEY(polygon_spec),
+    {.name = "holes",
+     .kind = KEY_LIST,
+     .max_count = MOST_HOLES,
+     .offset = offsetof(polygon_spec, holes),
+     .table = &hole_keys,
+     .about = "holes in the polygon; they neither touch it nor one another"},
+    ANGLE_KEY(polygon_spec),
+    CENTRE_KEYS(polygon_spec),
+};
+
+static const key_table polygon_keys = {.name = "polygon",
+                                       .size = sizeof(polygon_spec),
+                                       .nkey = COUNT(polygon_key_list),
+                                       .keys = polygon_key_list,
+                                       .about = "straight edges between corners"};
+
+#define SHAPE_KEY(word, words)                                                                     \
+    {                                                                                              \
+        .name = #word, .kind = KEY_TABLE, .one_of = 1, .offset = offsetof(shape_spec, word),       \
+        .table = &word##_keys, .about = words                                                      \
+    }
+
+static const key shape_key_list[] = {
+    SHAPE_KEY(annulus, "a full ring"),
+    SHAPE_KEY(sector, "a part of a ring between two angles"),
+    SHAPE_KEY(disc, "a full circle"),
+    SHAPE_KEY(rectangle, "a rectangle, turned or not"),
+    SHAPE_KEY(polygon, "straight edges between corners, with holes if need be"),
+    {.name = "material",
+     .kind = KEY_NAME,
+     .required = true,
+     .offset = offsetof(shape_spec, material),
+     .about = "a name from `materials`; none: the shape cuts a hole into what lies below it"},
+};
+
+const key_table shape_keys = {.name = "shape",
+                              .size = sizeof(shape_spec),
+                              .nkey = COUNT(shape_key_list),
+                              .keys = shape_key_list,
+                              .about = "a shape with its material; it lies on top of the earlier "
+                                       "shapes of the list"};
+
+static const key mesh_key_list[] = {
+    {.name = "kind",
+     .kind = KEY_CHOICE,
+     .choices = "auto|mapped|free",
+     .initial = "auto",
+     .offset = offsetof(mesh_options, kind),
+     .about = "mapped: quads on a polar or Cartesian grid of the outlines' own edges; free: "
+              "curved triangles of any outlines; auto: mapped where the outlines allow it"},
+    {.name = "order",
+     .kind = KEY_INTEGER,
+     .min = 1,
+     .max = ELEMENT_MAX_ORDER,
+     .initial = "4",
+     .offset = offsetof(mesh_options, order),
+     .about = "polynomial order of the elements and of their curved edges"},
+    {.name = "size",
+     .kind = KEY_REAL,
+     .dimension = DIM_LENGTH,
+     .min = 0,
+     .max = LARGEST_LENGTH,
+     .initial = "0",
+     .offset = offsetof(mesh_options, size),
+     .about = "target edge length; 0: chosen from the outlines"},
+};
+
+static const mesh_options mesh_initial = {.kind = MESH_AUTO, .order = 4};
+
+const key_table mesh_keys = {.name = "mesh",
+                             .size = sizeof(mesh_options),
+                             .nkey = COUNT(mesh_key_list),
+                             .keys = mesh_key_list,
+                             .initial = &mesh_initial,
+                             .about = "how the section is divided into elements"};
+
+mesh_options mesh_options_default(void)
+{
+    return mesh_initial;
+}

@@ -1,0 +1,30 @@
+// meshes/sizing.c
+#include "meshes/sizing.h"
+
+#include <math.h>
+
+// By order: edge length over the section's size, and the arc of an element. Chosen so that the
+// geometry's error, which falls with angle^(2p), stays below that of the fields.
+static const double length_part[ELEMENT_MAX_ORDER + 1] = {0, 0.04, 0.1, 0.18, 0.25};
+static const double arc_angle[ELEMENT_MAX_ORDER + 1] = {0, 0.06, 0.15, 0.25, 0.35};
+
+// an element edge turns by no more than this, whatever the size asked for
+static const double LARGEST_ANGLE = 0.7854;
+
+// equal edges give counts that are whole numbers but for rounding
+static const double ROUNDING = 1e-6;
+
+double sizing_length(const mesh_options *options, double section_size)
+{
+    return options->size > 0 ? options->size : length_part[options->order] * section_size;
+}
+
+double sizing_angle(const mesh_options *options)
+{
+    return options->size > 0 ? LARGEST_ANGLE : arc_angle[options->order];
+}
+
+double sizing_parts(double length, double target)
+{
+    return fmax(1, ceil(length / target - ROUNDING));
+}

@@ -1,0 +1,258 @@
+// reports/cairo_door.c
+#include "reports/cairo_door.h"
+
+#include "base/memory.h"
+#include "reports/markup.h"
+#include "reports/svg_tidy.h"
+
+#include <cairo-svg.h>
+#include <cairo.h>
+#include <math.h>
+#include <stdio.h>
+
+struct canvas {
+    cairo_t *cr;
+};
+
+#ifdef __SANITIZE_ADDRESS__
+// fontconfig keeps its patterns to the end of the process; the leak checker looks this function up
+// by name
+const char *__lsan_default_suppressions(void);
+const char *__lsan_default_suppressions(void)
+{
+    return "leak:libfontconfig\n";
+}
+#endif
+
+static const double png_density = 2; // pixels per point: sharp on dense screens and in print
+
+void canvas_move(canvas *c, double x, double y)
+{
+    cairo_move_to(c->cr, x, y);
+}
+
+void canvas_line(canvas *c, double x, double y)
+{
+    cairo_line_to(c->cr, x, y);
+}
+
+void canvas_close(canvas *c)
+{
+    cairo_close_path(c->cr);
+}
+
+void canvas_segment(canvas *c, double x0, double y0, double x1, double y1)
+{
+    cairo_move_to(c->cr, x0, y0);
+    cairo_line_to(c->cr, x1, y1);
+}
+
+void canvas_rectangle(canvas *c, double x, double y, double w, double h)
+{
+    cairo_rectangle(c->cr, x, y, w, h);
+}
+
+void canvas_circle(canvas *c, double x, double y, double radius)
+{
+    cairo_new_sub_path(c->cr);
+    cairo_arc(c->cr, x, y, radius, 0, 2 * acos(-1.0));
+    cairo_close_path(c->cr);
+}
+
+static void take_ink(canvas *c, colour ink)
+{
+    cairo_set_source_rgba(c->cr, ink.r, ink.g, ink.b, ink.a);
+}
+
+void canvas_fill(canvas *c, colour ink)
+{
+    take_ink(c, ink);
+    cairo_fill(c->cr);
+}
+
+void canvas_stroke(canvas *c, colour ink, double width)
+{
+    take_ink(c, ink);
+    cairo_set_line_width(c->cr, width);
+    cairo_stroke(c->cr);
+}
+
+void canvas_fill_stroke(canvas *c, colour ink, colour border, double width)
+{
+    take_ink(c, ink);
+    cairo_fill_preserve(c->cr);
+    canvas_stroke(c, border, width);
+}
+
+void canvas_dash(canvas *c, double on, double off)
+{
+    const double dashes[2] = {on, off};
+    cairo_set_dash(c->cr, dashes, on > 0 ? 2 : 0, 0);
+}
+
+static void take_font(canvas *c, const text_look *look)
+{
+    cairo_select_font_face(
+        c->cr, "sans",
+        look->style == TEXT_ITALIC ? CAIRO_FONT_SLANT_ITALIC : CAIRO_FONT_SLANT_NORMAL,
+        look->style == TEXT_BOLD ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
+    cairo_set_font_size(c->cr, look->size);
+}
+
+double canvas_text_width(canvas *c, const text_look *look, const char *text)
+{
+    char clean[512];
+    cairo_text_extents_t extents = {0};
+    utf8_clean(text, clean, sizeof clean);
+    take_font(c, look);
+    cairo_text_extents(c->cr, clean, &extents);
+    return extents.x_advance;
+}
+
+void canvas_text(canvas *c, double x, double y, const text_look *look, const char *text)
+{
+    char clean[512];
+    utf8_clean(text, clean, sizeof clean);
+    const double width = canvas_text_width(c, look, clean);
+    const double start =
+        look->align == TEXT_LEFT ? 0 : (look->align == TEXT_RIGHT ? -width : -width / 2);
+
+    cairo_save(c->cr);
+    cairo_translate(c->cr, x, y);
+    cairo_rotate(c->cr, look->turn);
+    if (look->halo > 0) {
+        cairo_set_dash(c->cr, NULL, 0, 0);
+        cairo_move_to(c->cr, start, 0);
+        cairo_text_path(c->cr, clean);
+        canvas_stroke(c, (colour){1, 1, 1, 1}, 2 * look->halo);
+    }
+    take_ink(c, look->ink);
+    cairo_move_to(c->cr, start, 0);
+    cairo_show_text(c->cr, clean);
+    cairo_restore(c->cr);
+    cairo_new_path(c->cr);
+}
+
+void canvas_clip(canvas *c, double x, double y, double w, double h)
+{
+    cairo_save(c->cr);
+    cairo_new_path(c->cr);
+    cairo_rectangle(c->cr, x, y, w, h);
+    cairo_clip(c->cr);
+}
+
+void canvas_unclip(canvas *c)
+{
+    cairo_restore(c->cr);
+}
+
+// --- a surface -> bytes -> a file
+// ------------------------------------------------------------------------------------
+
+static cairo_status_t append(void *closure, const unsigned char *data, unsigned int length)
+{
+    bytes *b = closure;
+    return bytes_append(b, (const char *)data, length) == OK ? CAIRO_STATUS_SUCCESS
+                                                             : CAIRO_STATUS_NO_MEMORY;
+}
+
+static status cairo_check(cairo_status_t code, const picture *p)
+{
+    return code ? status_fail(ERR_RESOURCE, "cairo: %s, in the picture %s",
+                              cairo_status_to_string(code), p->name)
+                : OK;
+}
+
+// outlines of letters must not depend on the surface: the SVG and the PNG share one layout
+static void fix_font_rendering(cairo_t *cr)
+{
+    cairo_font_options_t *options = cairo_font_options_create();
+    cairo_font_options_set_hint_style(options, CAIRO_HINT_STYLE_NONE);
+    cairo_font_options_set_hint_metrics(options, CAIRO_HINT_METRICS_OFF);
+    cairo_font_options_set_antialias(options, CAIRO_ANTIALIAS_GRAY);
+    cairo_set_font_options(cr, options);
+    cairo_font_options_destroy(options);
+}
+
+static status draw_on(const picture *p, cairo_surface_t *surface, double scale)
+{
+    status st = OK;
+    canvas c = {.cr = cairo_create(surface)};
+
+    cairo_scale(c.cr, scale, scale);
+    fix_font_rendering(c.cr);
+    cairo_set_line_join(c.cr, CAIRO_LINE_JOIN_ROUND);
+    take_ink(&c, (colour){1, 1, 1, 1});
+    cairo_paint(c.cr);
+    TRY(p->draw(&c, p->data));
+    TRY(cairo_check(cairo_status(c.cr), p));
+
+done:
+    cairo_destroy(c.cr);
+    return st;
+}
+
+static status make_svg(const picture *p, bytes *out)
+{
+    status st = OK;
+    cairo_surface_t *surface =
+        cairo_svg_surface_create_for_stream(append, out, p->width, p->height);
+
+    TRY(cairo_check(cairo_surface_status(surface), p));
+    cairo_svg_surface_set_document_unit(surface, CAIRO_SVG_UNIT_PX);
+    TRY(draw_on(p, surface, 1));
+    cairo_surface_finish(surface);
+    TRY(cairo_check(cairo_surface_status(surface), p));
+
+done:
+    cairo_surface_destroy(surface);
+    return st;
+}
+
+static status make_png(const picture *p, bytes *out)
+{
+    status st = OK;
+    cairo_surface_t *surface = cairo_image_surface_create(
+        CAIRO_FORMAT_RGB24, (int)ceil(p->width * png_density), (int)ceil(p->height * png_density));
+
+    TRY(cairo_check(cairo_surface_status(surface), p));
+    TRY(draw_on(p, surface, png_density));
+    TRY(cairo_check(cairo_surface_write_to_png_stream(surface, append, out), p));
+
+done:
+    cairo_surface_destroy(surface);
+    return st;
+}
+
+static status write_file(const bytes *b, const char *dir, const char *name, const char *ending)
+{
+    char path[4096];
+    const int n = snprintf(path, sizeof path, "%s/%s.%s", dir, name, ending);
+    FILE *f = n > 0 && n < (int)sizeof path ? fopen(path, "wb") : NULL;
+    if (!f) {
+        return status_fail(ERR_RESOURCE, "cannot write the picture %s/%s.%s", dir, name, ending);
+    }
+    const size_t written = fwrite(b->data, 1, b->length, f);
+    if (fclose(f) != 0 || written != b->length) {
+        return status_fail(ERR_RESOURCE, "writing the picture %s failed: disk full?", path);
+    }
+    return OK;
+}
+
+status picture_write(const picture *p, const char *dir)
+{
+    status st = OK;
+    bytes raw = {0}, svg = {0}, png = {0};
+
+    TRY(make_svg(p, &raw));
+    TRY(svg_tidy(&raw, p->name, p->title, &svg));
+    TRY(write_file(&svg, dir, p->name, "svg"));
+    TRY(make_png(p, &png));
+    TRY(write_file(&png, dir, p->name, "png"));
+
+done:
+    bytes_free(&raw);
+    bytes_free(&svg);
+    bytes_free(&png);
+    return st;
+}

@@ -1,0 +1,83 @@
+// reports/figure_section.c
+#include "reports/figure_section.h"
+
+#include "base/memory.h"
+#include "reports/figures.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+enum { PATH_POINTS = 161 };
+
+static const double sheet_width = 960;
+
+static status draw(canvas *c, const void *data)
+{
+    const section_sketch *s = data;
+    const run_result *r = s->r;
+    const double height = s->npath > 0 ? 640 : 540;
+
+    say(c, 28, 36, LOOK_TITLE, "Cross section at s = %s mm",
+        number_short(r->section.station[0].s * 1e3, 5).text);
+    say_within(c, 28, 56, sheet_width - 56, LOOK_SMALL, r->title);
+    if (s->npath > 0) {
+        say(c, 36, height - 74, look_inked(LOOK_SMALL, INK_ACCENT),
+            "thick line: the stiffness centre's way from base (●) to tip (○)");
+    }
+    section_panel(c, s, (box){568, 76, sheet_width - 568 - 30, height - 76 - 20});
+    return section_drawing(c, s, (box){28, 66, 500, height - (s->npath > 0 ? 166 : 86)});
+}
+
+// the interpolant gives a smooth path; it is not one where the centre stands still
+static status follow_centre(section_sketch *s)
+{
+    status st = OK;
+    const law_along *along = &s->r->section.along;
+    double near = s->centres->principal_angle, moved = 0;
+
+    if (!along->law || along->npanel * along->nnode < 2) {
+        return OK;
+    }
+    TRY(TAKE(s->path, PATH_POINTS));
+    for (int i = 0; i < PATH_POINTS; i++) {
+        centre_frame f = {0};
+        const double at = along->length * i / (PATH_POINTS - 1);
+        law_along_centre_frame(along, at, near, &f);
+        near = f.phi;
+        s->path[i][0] = at;
+        s->path[i][1] = f.p[0];
+        s->path[i][2] = f.p[1];
+        s->path[i][3] = f.phi;
+        moved = fmax(moved, hypot(f.p[0] - s->path[0][1], f.p[1] - s->path[0][2]));
+    }
+    // rounding of the interpolation is no path
+    const double size = sqrt(fabs(s->r->section.station[0].law.area));
+    s->npath = moved > 1e-6 * size ? PATH_POINTS : 0;
+
+done:
+    return st;
+}
+
+status figure_section(const run_result *r, const char *dir)
+{
+    status st = OK;
+    if (!r->has_section || r->section.nstation == 0 || r->section_mesh.nnode == 0) {
+        return OK;
+    }
+    section_sketch s = {.r = r, .centres = &r->section.station[0].centres};
+
+    TRY(follow_centre(&s));
+    const picture p = {
+        .name = "section",
+        .title = "Cross section with its materials, centres and principal axes",
+        .width = sheet_width,
+        .height = s.npath > 0 ? 640 : 540,
+        .draw = draw,
+        .data = &s,
+    };
+    TRY(picture_write(&p, dir));
+
+done:
+    free(s.path);
+    return st;
+}

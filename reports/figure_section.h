@@ -1,0 +1,22 @@
+// reports/figure_section.h
+// The two halves of the section's picture; figure_section (reports/figures.h) puts them on one
+// sheet.
+#pragma once
+
+#include "reports/figure_kit.h"
+#include "reports/plane_edges.h"
+#include "reports/result.h"
+
+typedef struct section_sketch {
+    const run_result *r;
+    const beam_centres *centres; // of the first station
+    int npath;                   // 0 where nothing varies along the rod
+    double (*path)[4];           // s, x, y of the stiffness centre [m] and the turn of x' [rad]
+} section_sketch;
+
+status section_drawing(canvas *c, const section_sketch *s, box at);
+void section_panel(canvas *c, const section_sketch *s, box at);
+
+void mark_geometric_centre(canvas *c, double x, double y);
+void mark_stiffness_centre(canvas *c, double x, double y);
+void mark_shear_centre(canvas *c, double x, double y);

@@ -1,0 +1,327 @@
+// reports/figure_segment_view.c
+#include "reports/figure_segment_view.h"
+
+#include "reports/fig4_paper.h"
+
+#include <float.h>
+#include <math.h>
+
+static const double elevation = 0.33; // of the eye [rad]
+static const double aside =
+    0.30; // the plane of the largest deflection is turned away by this [rad]
+
+// drawn at true scale when that shows anything
+static const double visible_part = 0.02, wanted_part = 0.08; // of the segment's length
+
+static double choose_azimuth(const run_result *r)
+{
+    double best = 0, angle = 0;
+    for (int i = 0; i < r->segment.nload; i++) {
+        const double *u = r->segment.load[i].tip_displacement;
+        if (hypot(u[0], u[1]) > best) {
+            best = hypot(u[0], u[1]);
+            angle = atan2(u[1], u[0]);
+        }
+    }
+    const double pi = acos(-1.0);
+    if (best <= 1e-3 * r->segment_length) {
+        angle = 0;
+    }
+    // the same line, seen with x to the right rather than to the left
+    return (angle > pi / 2 ? angle - pi : angle <= -pi / 2 ? angle + pi : angle) - aside;
+}
+
+static void grow(segment_scene *s, vec3 p)
+{
+    const vec3 seen = camera_see(&s->camera, p);
+    for (int k = 0; k < 2; k++) {
+        s->low[k] = fmin(s->low[k], seen.a[k]);
+        s->high[k] = fmax(s->high[k], seen.a[k]);
+    }
+}
+
+static void measure(segment_scene *s)
+{
+    const run_result *r = s->r;
+    for (int k = 0; k < 2; k++) {
+        s->low[k] = DBL_MAX;
+        s->high[k] = -DBL_MAX;
+    }
+    for (int i = 0; i < r->segment_mesh.nnode; i++) {
+        const double *x = r->segment_mesh.xyz + 3 * i;
+        const vec3 at = {{x[0], x[1], x[2]}};
+        grow(s, at);
+        for (int l = 0; l < r->segment.nload; l++) {
+            const double *u = r->segment.load[l].displacement + 3 * i;
+            grow(s, vec3_add(at, vec3_scale(s->magnify, (vec3){{u[0], u[1], u[2]}})));
+        }
+    }
+}
+
+status segment_scene_make(const run_result *r, segment_scene *out)
+{
+    status st = OK;
+    segment_scene s = {.r = r, .magnify = 1, .fig4 = fig4_is(r)};
+
+    TRY(plane_edges_make(&r->segment_plane, &s.edges));
+    TRY(plane_loops_make(&s.edges, PLANE_WHOLE, &s.loops));
+    s.camera = camera_from(choose_azimuth(r), elevation);
+    for (int l = 0; l < r->segment.nload; l++) {
+        s.largest =
+            fmax(s.largest, segment_largest_displacement(r, r->segment.load[l].displacement));
+    }
+    if (s.largest > 0 && s.largest < visible_part * r->segment_length) {
+        s.magnify = nice_step(wanted_part * r->segment_length / s.largest, 1);
+    }
+    measure(&s);
+    *out = s;
+    s = (segment_scene){0};
+
+done:
+    segment_scene_free(&s);
+    return st;
+}
+
+void segment_scene_free(segment_scene *s)
+{
+    plane_edges_free(&s->edges);
+    plane_loops_free(&s->loops);
+    *s = (segment_scene){0};
+}
+
+colour segment_colour(const segment_scene *s, double displacement, double light)
+{
+    const colour flat = colour_ramp(s->largest > 0 ? displacement / s->largest : 0);
+    // a narrow range of shade keeps the colour readable against its bar
+    const double shade = 0.84 + 0.18 * fmax(light, 0);
+    const colour dark = {0, 0, 0, 1}, white = {1, 1, 1, 1};
+    return shade < 1 ? colour_mix(dark, flat, shade) : colour_mix(flat, white, shade - 1);
+}
+
+// --- on paper
+// --------------------------------------------------------------------------------------------------------
+
+typedef struct sheet {
+    canvas *c;
+    const segment_scene *s;
+    double x0, y0, scale; // points of the paper's origin, points per m
+} sheet;
+
+static void to_sheet(const sheet *h, vec3 p, double at[2])
+{
+    const vec3 seen = camera_see(&h->s->camera, p);
+    at[0] = h->x0 + h->scale * seen.a[0];
+    at[1] = h->y0 - h->scale * seen.a[1];
+}
+
+// the outer boundary at one height, undeformed; holes are left off
+static void ring(const sheet *h, double z)
+{
+    const plane_edges *e = &h->s->edges;
+    const plane_loops *l = &h->s->loops;
+    for (int i = 0; i < l->nloop; i++) {
+        const bool hole = plane_loop_area(e, l, i) < 0;
+        for (int k = l->start[i]; !hole && k < l->start[i + 1]; k++) {
+            for (int cut = k > l->start[i]; cut <= 6; cut++) {
+                double xy[2], at[2];
+                plane_edge_point(e, &e->edge[l->order[k]], cut / 3.0 - 1, xy);
+                to_sheet(h, (vec3){{xy[0], xy[1], z}}, at);
+                if (cut == 0) {
+                    canvas_move(h->c, at[0], at[1]);
+                } else {
+                    canvas_line(h->c, at[0], at[1]);
+                }
+            }
+        }
+    }
+}
+
+static void undeformed_outline(const sheet *h)
+{
+    const double length = h->s->r->segment_length;
+    const mesh *m = &h->s->r->segment_plane;
+    int left = 0, right = 0;
+    for (int i = 1; i < m->nnode; i++) {
+        const vec3 r = h->s->camera.right;
+        const double here = r.a[0] * m->xyz[3 * i] + r.a[1] * m->xyz[3 * i + 1];
+        left = here < r.a[0] * m->xyz[3 * left] + r.a[1] * m->xyz[3 * left + 1] ? i : left;
+        right = here > r.a[0] * m->xyz[3 * right] + r.a[1] * m->xyz[3 * right + 1] ? i : right;
+    }
+    ring(h, length);
+    for (int side = 0; side < 2; side++) {
+        const double *x = m->xyz + 3 * (size_t)(side ? right : left);
+        double a[2], b[2];
+        to_sheet(h, (vec3){{x[0], x[1], 0}}, a);
+        to_sheet(h, (vec3){{x[0], x[1], length}}, b);
+        canvas_segment(h->c, a[0], a[1], b[0], b[1]);
+    }
+    canvas_dash(h->c, 3, 2.5);
+    canvas_stroke(h->c, INK_SOFT, 0.9);
+    canvas_dash(h->c, 0, 0);
+}
+
+static void ground(const sheet *h)
+{
+    const mesh *m = &h->s->r->segment_plane;
+    double radius = 0;
+    for (int i = 0; i < m->nnode; i++) {
+        radius = fmax(radius, hypot(m->xyz[3 * i], m->xyz[3 * i + 1]));
+    }
+    for (int k = 0; k <= 72; k++) {
+        const double angle = k * acos(-1.0) / 36;
+        double at[2];
+        to_sheet(h, (vec3){{1.45 * radius * cos(angle), 1.45 * radius * sin(angle), 0}}, at);
+        if (k == 0) {
+            canvas_move(h->c, at[0], at[1]);
+        } else {
+            canvas_line(h->c, at[0], at[1]);
+        }
+    }
+    canvas_close(h->c);
+    canvas_fill_stroke(h->c, (colour){0.94, 0.945, 0.955, 1}, INK_GRID, 1);
+}
+
+// along the side from a to d of the facet a, b, ..., d: just inside, where its neighbour does not
+// paint over it, and a little longer, so that the next one goes on from there
+static void paint_border(canvas *c, const double a[2], const double b[2], const double d[2])
+{
+    const double wide = fmax(hypot(b[0] - a[0], b[1] - a[1]), 1.1);
+    const double high = fmax(hypot(d[0] - a[0], d[1] - a[1]), 1);
+    const double in[2] = {1.1 / wide * (b[0] - a[0]), 1.1 / wide * (b[1] - a[1])};
+    const double on[2] = {(d[0] - a[0]) / high, (d[1] - a[1]) / high};
+    canvas_segment(c, a[0] + in[0] - on[0], a[1] + in[1] - on[1], d[0] + in[0] + on[0],
+                   d[1] + in[1] + on[1]);
+    canvas_stroke(c, (colour){1, 1, 1, 1}, 1.2);
+}
+
+// grown a little about its middle, so that no white shows between neighbours
+static void paint_facet(const sheet *h, const facet *f)
+{
+    double x[4], y[4], mx = 0, my = 0;
+    for (int i = 0; i < f->ncorner; i++) {
+        x[i] = h->x0 + h->scale * f->at[i][0];
+        y[i] = h->y0 - h->scale * f->at[i][1];
+        mx += x[i] / f->ncorner;
+        my += y[i] / f->ncorner;
+    }
+    for (int i = 0; i < f->ncorner; i++) {
+        const double off = hypot(x[i] - mx, y[i] - my), by = off > 0 ? 1 + 0.45 / off : 1;
+        const double px = mx + by * (x[i] - mx), py = my + by * (y[i] - my);
+        if (i == 0) {
+            canvas_move(h->c, px, py);
+        } else {
+            canvas_line(h->c, px, py);
+        }
+    }
+    canvas_close(h->c);
+    canvas_fill(h->c, segment_colour(h->s, f->value, f->light));
+    if (f->border) {
+        paint_border(h->c, (double[2]){x[0], y[0]}, (double[2]){x[1], y[1]},
+                     (double[2]){x[f->ncorner - 1], y[f->ncorner - 1]});
+    }
+}
+
+// borders between materials on the tip's face, which moves with the load
+static void tip_borders(const sheet *h, const double *displacement)
+{
+    const plane_edges *e = &h->s->edges;
+    const int top = h->s->r->segment_mesh.nnode - h->s->r->segment_plane.nnode;
+    int lines = 0;
+    for (int i = 0; i < e->count; i++) {
+        const plane_edge *edge = &e->edge[i];
+        for (int k = 0; edge->other >= 0 && edge->material < edge->other && k < e->line.nnode;
+             k++) {
+            const int node = 3 * (top + edge->node[k]);
+            const double *x = h->s->r->segment_mesh.xyz + node, *u = displacement + node;
+            double at[2];
+            to_sheet(h,
+                     vec3_add((vec3){{x[0], x[1], x[2]}},
+                              vec3_scale(h->s->magnify, (vec3){{u[0], u[1], u[2]}})),
+                     at);
+            if (k == 0) {
+                canvas_move(h->c, at[0], at[1]);
+            } else {
+                canvas_line(h->c, at[0], at[1]);
+            }
+            lines++;
+        }
+    }
+    if (lines > 0) {
+        canvas_stroke(h->c, (colour){1, 1, 1, 0.9}, 1.1);
+    }
+}
+
+// the arrow's point stands on the tip where the load acts, moved along with the tip
+static void load_arrow(const sheet *h, int load)
+{
+    const segment_load_result *l = &h->s->r->segment.load[load];
+    const double *u = l->tip_displacement, *w = l->tip_rotation;
+    const vec3 arm = {{l->point[0], l->point[1], 0}};
+    const vec3 move =
+        vec3_add((vec3){{u[0], u[1], u[2]}}, vec3_cross((vec3){{w[0], w[1], w[2]}}, arm));
+    const vec3 point = vec3_add((vec3){{arm.a[0], arm.a[1], h->s->r->segment_length}},
+                                vec3_scale(h->s->magnify, move));
+    double at[2], from[2];
+    to_sheet(h, point, at);
+
+    vec6 wrench;
+    const bool known = segment_tip_wrench(h->s->r, load, &wrench);
+    const vec3 force = {
+        {known ? wrench.a[0] : 0, known ? wrench.a[1] : 0, known ? wrench.a[2] : 0}};
+    const double size = vec3_norm(force);
+    if (size > 0) {
+        const double length = 46 / h->scale;
+        to_sheet(h, vec3_sub(point, vec3_scale(length / size, force)), from);
+        arrow_bordered(h->c, from[0], from[1], at[0], at[1], INK_ACCENT, 2.6);
+        say(h->c, from[0] + 9, from[1] + 6, look_haloed(look_inked(LOOK_HEADING, INK_ACCENT)),
+            "%s N", number_short(size, 3).text);
+    }
+    canvas_circle(h->c, at[0], at[1], 2.6);
+    canvas_fill_stroke(h->c, INK_ACCENT, (colour){1, 1, 1, 1}, 1);
+}
+
+static void directions(const sheet *h, box at)
+{
+    static const char *const name[] = {"x", "y", "z"};
+    const double x = at.x + 30, y = at.y + at.h - 24;
+    text_look look = look_aligned(look_inked(LOOK_TEXT, INK_SOFT), TEXT_CENTRE);
+    look.style = TEXT_ITALIC;
+    for (int k = 0; k < 3; k++) {
+        vec3 unit = {{0}};
+        unit.a[k] = 1;
+        const vec3 seen = camera_see(&h->s->camera, unit);
+        const double dx = 30 * seen.a[0], dy = -30 * seen.a[1], length = hypot(dx, dy);
+        arrow(h->c, x, y, x + dx, y + dy, INK_SOFT, 1.1);
+        if (length > 0) {
+            say(h->c, x + dx + 9 * dx / length, y + dy + 9 * dy / length + 4, look, "%s", name[k]);
+        }
+    }
+}
+
+status segment_view(canvas *c, const segment_scene *s, int load, box at, double points_per_m)
+{
+    status st = OK;
+    segment_surface surface = {0};
+    const double *displacement = s->r->segment.load[load].displacement;
+    const sheet h = {
+        .c = c,
+        .s = s,
+        .x0 = at.x + at.w / 2 - points_per_m * (s->low[0] + s->high[0]) / 2,
+        .y0 = at.y + at.h - 20 + points_per_m * s->low[1],
+        .scale = points_per_m,
+    };
+
+    TRY(segment_surface_make(s->r, &s->edges, displacement, s->magnify, &s->camera, &surface));
+    ground(&h);
+    for (int i = 0; i < surface.count; i++) {
+        paint_facet(&h, &surface.facet[i]);
+    }
+    tip_borders(&h, displacement);
+    undeformed_outline(&h);
+    load_arrow(&h, load);
+    directions(&h, at);
+
+done:
+    segment_surface_free(&surface);
+    return st;
+}

@@ -1,0 +1,200 @@
+// reports/figure_segments.c
+// The deformed segments side by side, what they did, and the paper's numbers where it is the
+// paper's Fig. 4.
+#include "reports/fig4_paper.h"
+#include "reports/figure_segment_view.h"
+#include "reports/figures.h"
+
+#include <math.h>
+#include <stdio.h>
+
+enum { MAX_PANELS = 6, ROWS = 4 };
+
+static const double side = 28, bar_width = 96, head = 74, view_height = 400, row = 19;
+
+typedef struct layout {
+    int npanel;
+    double panel_width, width, height;
+} layout;
+
+static layout arrange(const segment_scene *s)
+{
+    layout l = {.npanel = s->r->segment.nload < MAX_PANELS ? s->r->segment.nload : MAX_PANELS};
+    l.panel_width = l.npanel <= 2 ? 418 : 300;
+    l.width = 2 * side + bar_width + l.npanel * l.panel_width;
+    l.height = head + view_height + 30 + (ROWS + 1) * row + (s->fig4 ? 82 : 56);
+    return l;
+}
+
+static void colour_bar(canvas *c, const segment_scene *s, box at)
+{
+    const int cuts = 120;
+    for (int i = 0; i < cuts; i++) {
+        canvas_rectangle(c, at.x, at.y + at.h * (cuts - 1 - i) / cuts, at.w, at.h / cuts + 0.5);
+        canvas_fill(c, segment_colour(s, s->largest * (i + 0.5) / cuts, 0.8));
+    }
+    canvas_rectangle(c, at.x, at.y, at.w, at.h);
+    canvas_stroke(c, INK_SOFT, 0.8);
+
+    const double largest = s->largest * 1e3, step = nice_step(largest, 5);
+    const int decimals = (int)fmax(0, ceil(-log10(step) - 1e-9));
+    for (int i = 0; largest > 0 && i * step <= largest * (1 + 1e-9); i++) {
+        const double y = at.y + at.h * (1 - i * step / largest);
+        canvas_segment(c, at.x + at.w, y, at.x + at.w + 4, y);
+        canvas_stroke(c, INK_SOFT, 0.8);
+        say(c, at.x + at.w + 8, y + 3.7, LOOK_TICK, "%s", number_fixed(i * step, decimals).text);
+    }
+    say(c, at.x, at.y - 26, look_inked(LOOK_SMALL, INK), "displacement");
+    say(c, at.x, at.y - 11, look_inked(LOOK_SMALL, INK), "size, mm");
+}
+
+static double degrees(double angle)
+{
+    return angle * 180 / acos(-1.0);
+}
+
+typedef struct number_row {
+    const char *name, *paper;
+    char text[96];
+} number_row;
+
+static void number_rows(const segment_scene *s, int load, number_row rows[ROWS])
+{
+    const segment_load_result *l = &s->r->segment.load[load];
+    const fig4_reported paper = fig4_paper(s->fig4 ? fig4_which(s->r, load) : FIG4_NONE);
+    const double strain = l->shortening / s->r->segment_length;
+
+    rows[0] = (number_row){"shortening, E-weighted", paper.shortening, ""};
+    (void)snprintf(rows[0].text, sizeof rows[0].text, "%s mm = %s %%",
+                   number_fixed(l->shortening * 1e3, 4).text, number_fixed(strain * 100, 2).text);
+    rows[1] = (number_row){"shortening at geometric centre", NULL, ""};
+    (void)snprintf(rows[1].text, sizeof rows[1].text, "%s mm",
+                   number_fixed(-l->tip_displacement[2] * 1e3, 4).text);
+    rows[2] = (number_row){"tip angle", paper.tip_angle, ""};
+    (void)snprintf(rows[2].text, sizeof rows[2].text, "%s°",
+                   number_fixed(degrees(hypot(l->tip_rotation[0], l->tip_rotation[1])), 3).text);
+    rows[3] = (number_row){"curvature at mid length", paper.mid_curvature, ""};
+    (void)snprintf(rows[3].text, sizeof rows[3].text, "%s 1/m",
+                   number_fixed(hypot(l->mid_curvature[0], l->mid_curvature[1]), 4).text);
+}
+
+static void number_table(canvas *c, const segment_scene *s, int load, box at)
+{
+    number_row rows[ROWS];
+    const double ours = at.x + at.w - (s->fig4 ? 114 : 0), paper = at.x + at.w;
+    const text_look head_look = look_aligned(look_inked(LOOK_SMALL, INK_SOFT), TEXT_RIGHT);
+    const text_look number_look = look_inked(head_look, INK);
+    number_rows(s, load, rows);
+
+    say(c, ours, at.y, head_look, "this run");
+    if (s->fig4) {
+        say(c, paper, at.y, head_look, "paper");
+    }
+    canvas_segment(c, at.x, at.y + 6, at.x + at.w, at.y + 6);
+    canvas_stroke(c, INK_FAINT, 0.8);
+    for (int i = 0; i < ROWS; i++) {
+        const double y = at.y + 5 + (i + 1) * row;
+        const double taken = canvas_text_width(c, &number_look, rows[i].text) + 8;
+        say_within(c, at.x, y, ours - at.x - taken, look_inked(LOOK_SMALL, INK), rows[i].name);
+        canvas_text(c, ours, y, &number_look, rows[i].text);
+        if (s->fig4) {
+            say(c, paper, y, head_look, "%s", rows[i].paper ? rows[i].paper : "–");
+        }
+    }
+}
+
+static void notes(canvas *c, const segment_scene *s, const layout *l, double y)
+{
+    static const char *const base[] = {"clamped", "free to contract sideways"};
+    static const char *const tip[] = {"rigid cap", "traction proportional to E",
+                                      "uniform traction"};
+    const run_result *r = s->r;
+    char text[512], left_off[64] = "";
+    if (r->segment.nload > l->npanel) {
+        (void)snprintf(left_off, sizeof left_off, " The first %d of %d loads.", l->npanel,
+                       r->segment.nload);
+    }
+    (void)snprintf(
+        text, sizeof text,
+        "Linear elasticity, %d unknowns; base %s; tip: %s. Displacements drawn %s. Dashed: "
+        "undeformed; white lines: borders between materials.%s",
+        r->segment.dofs, base[r->segment_base == BASE_FREE_TO_CONTRACT],
+        tip[(unsigned)r->segment_tip % 3],
+        s->magnify == 1 ? "at true scale" : "larger than they are", left_off);
+    if (s->magnify != 1) {
+        (void)snprintf(
+            text, sizeof text,
+            "Linear elasticity, %d unknowns; base %s; tip: %s. Displacements drawn %s times larger "
+            "than they are. Dashed: undeformed; white lines: borders between materials.%s",
+            r->segment.dofs, base[r->segment_base == BASE_FREE_TO_CONTRACT],
+            tip[(unsigned)r->segment_tip % 3], number_digits(s->magnify, 1).text, left_off);
+    }
+    y = say_paragraph(c, side, y, l->width - 2 * side, LOOK_SMALL, text);
+    if (s->fig4) {
+        fig4_note(r, text, sizeof text);
+        (void)say_paragraph(c, side, y + 3, l->width - 2 * side, look_inked(LOOK_SMALL, INK), text);
+    }
+}
+
+static status draw(canvas *c, const void *data)
+{
+    status st = OK;
+    const segment_scene *s = data;
+    const layout l = arrange(s);
+    const double wide = fmax(s->high[0] - s->low[0], 1e-9),
+                 high = fmax(s->high[1] - s->low[1], 1e-9);
+    const double scale = fmin((l.panel_width - 110) / wide, (view_height - 100) / high);
+
+    say(c, side, 36, LOOK_TITLE, "%s",
+        s->fig4 ? "Fig. 4 regenerated: the same load at two points"
+                : "The segment under its tip loads");
+    say_within(c, side, 56, l.width - 2 * side, LOOK_SMALL, s->r->title);
+    for (int i = 0; i < l.npanel; i++) {
+        const segment_load_result *load = &s->r->segment.load[i];
+        const box at = {side + i * l.panel_width, head, l.panel_width, view_height};
+        char place[128];
+        say_within(c, at.x, at.y + 14, at.w - 24, LOOK_HEADING, load->name ? load->name : "load");
+        (void)snprintf(place, sizeof place, "acts at (%s, %s) mm",
+                       number_fixed(load->point[0] * 1e3, 3).text,
+                       number_fixed(load->point[1] * 1e3, 3).text);
+        say(c, at.x, at.y + 30, LOOK_SMALL, "%s", place);
+        TRY(segment_view(c, s, i, at, scale));
+        scale_bar(c, at.x + at.w - 36, at.y + at.h - 6, 70, scale * 1e-3);
+        number_table(c, s, i, (box){at.x, at.y + at.h + 30, at.w - 24, 0});
+    }
+    colour_bar(c, s, (box){l.width - side - bar_width + 24, head + 90, 16, view_height - 160});
+    notes(c, s, &l, head + view_height + 30 + (ROWS + 1) * row + 18);
+
+done:
+    return st;
+}
+
+status figure_segments(const run_result *r, const char *dir)
+{
+    status st = OK;
+    segment_scene scene = {0};
+    if (!r->has_segment || r->segment.nload == 0 || r->segment_mesh.nnode == 0) {
+        return OK;
+    }
+    for (int i = 0; i < r->segment.nload; i++) {
+        if (!r->segment.load[i].displacement) {
+            return OK; // nothing to show: the run kept no displacements
+        }
+    }
+
+    TRY(segment_scene_make(r, &scene));
+    const layout l = arrange(&scene);
+    const picture p = {
+        .name = "segment",
+        .title = "The deformed segment under each of its tip loads, coloured by displacement",
+        .width = l.width,
+        .height = l.height,
+        .draw = draw,
+        .data = &scene,
+    };
+    TRY(picture_write(&p, dir));
+
+done:
+    segment_scene_free(&scene);
+    return st;
+}

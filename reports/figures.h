@@ -1,0 +1,18 @@
+// reports/figures.h
+// Pictures by cairo: each as SVG and as PNG from the same routine, byte-identical on a rerun.
+#pragma once
+
+#include "reports/result.h"
+
+// Each writes DIR/<name>.svg and DIR/<name>.png; nothing where the result has no such part.
+status figure_section(const run_result *r, const char *dir);  // section: materials, GC, NC, shear centre, principal axes
+status figure_segments(const run_result *r, const char *dir); // segment: deformed, side by side, with undeformed outline
+status figure_rods(const run_result *r, const char *dir);     // rods: shapes for all tensions, two projections
+status figure_curvature(const run_result *r, const char *dir); // curvature: components and size along s
+status figures_all(const run_result *r, const char *dir);
+
+// One self-contained page DIR/report.html with the figures inlined (SVG), tables and numbers.
+status report_page(const run_result *r, const char *dir);
+
+// The summary that the terminal shows, at most `max_lines` lines.
+status report_summary(const run_result *r, int max_lines, void *stdio_stream);

@@ -1,0 +1,124 @@
+// reports/page.c
+#include "reports/figures.h"
+#include "reports/page_kit.h"
+
+#include <math.h>
+#include <stdio.h>
+
+static const char *verdict(const run_result *r)
+{
+    return compare_out_of_tolerance(r) > 0 ? "out of tolerance" : "all agree";
+}
+
+static status key_number(bytes *page, const char *name, const char *value, const char *unit)
+{
+    return bytes_format(page, "<div><dt>%s</dt><dd>%s <small>%s</small></dd></div>\n", name, value,
+                        unit);
+}
+
+static status key_numbers(bytes *page, const run_result *r)
+{
+    status st = OK;
+
+    PAGE("<dl class=\"key\">\n");
+    if (r->has_section && r->section.nstation > 0) {
+        const beam_centres *c = &r->section.station[0].centres;
+        const double off = hypot(c->stiffness_centre[0], c->stiffness_centre[1]) * 1e3;
+        TRY(key_number(page, "Stiffness centre off the geometric one", number_fixed(off, 4).text,
+                       "mm"));
+        TRY(key_number(page, "Axial stiffness EA", number_digits(c->EA, 6).text, "N"));
+        TRY(key_number(page, "Torsional stiffness GJ", number_digits(c->GJ * 1e6, 6).text,
+                       "N mm²"));
+    }
+    if (r->has_rod && r->rod.nsolution > 0) {
+        double most = 0;
+        for (int i = 0; i < r->rod.nsolution; i++) {
+            most = fmax(most, r->rod.run[i].total_bend_rad);
+        }
+        TRY(key_number(page, "Largest bend of the rod",
+                       number_fixed(most * 180 / acos(-1.0), 1).text, "deg"));
+    }
+    for (int i = 0; r->has_segment && i < r->segment.nload && i < 2; i++) {
+        const double *w = r->segment.load[i].tip_rotation;
+        char name[64];
+        (void)snprintf(name, sizeof name, "Segment's tip angle, load %d", i + 1);
+        TRY(key_number(page, name, number_fixed(hypot(w[0], w[1]) * 180 / acos(-1.0), 3).text,
+                       "deg"));
+    }
+    if (r->has_compare && r->ncompare > 0) {
+        TRY(key_number(page, "Comparisons", verdict(r), ""));
+    }
+    PAGE("</dl>\n");
+
+done:
+    return st;
+}
+
+static status header(bytes *page, const run_result *r)
+{
+    status st = OK;
+    const struct {
+        bool there;
+        const char *id, *name;
+    } parts[] = {
+        {r->has_section, "section", "Cross section"}, {r->has_rod, "rod", "Rod"},
+        {r->has_segment, "segment", "3D segment"},    {r->has_compare, "compare", "Comparisons"},
+        {true, "assumptions", "Assumptions"},         {true, "origin", "Case and versions"},
+    };
+
+    PAGE("<header><div>\n<h1>");
+    TRY(page_escaped(page, r->title[0] ? r->title : "untitled case"));
+    PAGE("</h1>\n<p>From cross section to deformed shape, by stiffaxis %s</p>\n<nav>",
+         STIFFAXIS_VERSION);
+    for (size_t i = 0; i < sizeof parts / sizeof *parts; i++) {
+        if (parts[i].there) {
+            PAGE("<a href=\"#%s\">%s</a> ", parts[i].id, parts[i].name);
+        }
+    }
+    PAGE("</nav>\n</div></header>\n");
+
+done:
+    return st;
+}
+
+static status write_page(const bytes *page, const char *dir)
+{
+    char path[4096];
+    const int n = snprintf(path, sizeof path, "%s/report.html", dir);
+    FILE *f = n > 0 && n < (int)sizeof path ? fopen(path, "wb") : NULL;
+    if (!f) {
+        return status_fail(ERR_RESOURCE, "cannot write the page %s/report.html", dir);
+    }
+    const size_t written = fwrite(page->data, 1, page->length, f);
+    if (fclose(f) != 0 || written != page->length) {
+        return status_fail(ERR_RESOURCE, "writing the page %s failed: disk full?", path);
+    }
+    return OK;
+}
+
+status report_page(const run_result *r, const char *dir)
+{
+    status st = OK;
+    bytes text = {0}, *page = &text;
+
+    TRY(page_open(page, r->title[0] ? r->title : "untitled case"));
+    TRY(header(page, r));
+    PAGE("<main>\n");
+    TRY(key_numbers(page, r));
+    TRY(page_section(page, r, dir));
+    TRY(page_rod(page, r, dir));
+    TRY(page_segment(page, r, dir));
+    TRY(page_compare(page, r));
+    TRY(page_assumptions(page, r));
+    TRY(page_origin(page, r));
+    PAGE("</main>\n<footer><div>Written by stiffaxis %s. Numbers in full precision stand in the "
+         "JSON, CSV and "
+         "HDF5 files of the same run.</div></footer>\n",
+         STIFFAXIS_VERSION);
+    TRY(page_close(page));
+    TRY(write_page(page, dir));
+
+done:
+    bytes_free(&text);
+    return st;
+}

@@ -1,0 +1,35 @@
+// reports/page_kit.h
+// The pieces of report.html. Everything of a user's goes through page_escaped.
+#pragma once
+
+#include "reports/figure_kit.h"
+#include "reports/markup.h"
+#include "reports/result.h"
+
+// Formatted text of ours; its arguments are numbers and words of ours only.
+#define PAGE(...) TRY(bytes_format(page, __VA_ARGS__))
+
+status page_escaped(bytes *page, const char *text);
+
+// reports/page_style.c: from the doctype to the beginning of the body.
+status page_open(bytes *page, const char *title);
+status page_close(bytes *page);
+
+// DIR/name.svg with a caption; nothing where there is no such file.
+status page_figure(bytes *page, const char *dir, const char *name, const char *caption);
+
+// reports/page_section.c, page_rod.c, page_segment.c, page_rest.c: one part each, nothing where the
+// result has none.
+status page_section(bytes *page, const run_result *r, const char *dir);
+status page_rod(bytes *page, const run_result *r, const char *dir);
+status page_segment(bytes *page, const run_result *r, const char *dir);
+status page_compare(bytes *page, const run_result *r);
+status page_assumptions(bytes *page, const run_result *r);
+status page_origin(bytes *page, const run_result *r);
+
+// The smallest of the materials' linear strains that are known; 0 where none is. *name: whose it
+// is.
+double smallest_linear_strain(const run_result *r, const char **name);
+
+int compare_out_of_tolerance(const run_result *r);
+int compare_skipped(const run_result *r);

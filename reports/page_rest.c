@@ -1,0 +1,150 @@
+// reports/page_rest.c
+// Comparisons, assumptions and where the numbers come from.
+#include "reports/page_kit.h"
+
+#include <string.h>
+
+int compare_out_of_tolerance(const run_result *r)
+{
+    int count = 0;
+    for (int i = 0; i < r->ncompare; i++) {
+        count += !r->compare[i].skipped && !r->compare[i].ok;
+    }
+    return count;
+}
+
+int compare_skipped(const run_result *r)
+{
+    int count = 0;
+    for (int i = 0; i < r->ncompare; i++) {
+        count += r->compare[i].skipped;
+    }
+    return count;
+}
+
+static status compare_line(bytes *page, const compare_row *row)
+{
+    status st = OK;
+
+    PAGE("<tr><td class=\"text\">");
+    TRY(page_escaped(page, row->what));
+    if (row->skipped) {
+        PAGE("</td><td></td><td></td><td></td><td></td><td></td><td class=\"skip\">skipped</td>");
+    } else {
+        PAGE("</td><td>%s</td><td>%s</td><td class=\"text\">", number_digits(row->ours, 8).text,
+             number_digits(row->other, 8).text);
+        TRY(page_escaped(page, row->unit));
+        PAGE("</td><td>%s</td><td>%s</td>", number_digits(row->difference, 2).text,
+             number_digits(row->tolerance, 2).text);
+        PAGE("<td class=\"%s\">%s</td>", row->ok ? "good" : "bad",
+             row->ok ? "✓ agrees" : "✗ out of tolerance");
+    }
+    PAGE("<td class=\"text\">");
+    TRY(page_escaped(page, row->reason));
+    PAGE("</td></tr>\n");
+
+done:
+    return st;
+}
+
+status page_compare(bytes *page, const run_result *r)
+{
+    status st = OK;
+    const int bad = compare_out_of_tolerance(r), skipped = compare_skipped(r);
+    if (!r->has_compare || r->ncompare == 0) {
+        return OK;
+    }
+
+    PAGE("<h2 id=\"compare\">Two ways to the same number</h2>\n<p>%d comparisons: "
+         "<span class=\"good\">%d agree</span>, <span class=\"%s\">%d out of tolerance</span>",
+         r->ncompare, r->ncompare - bad - skipped, bad ? "bad" : "skip", bad);
+    if (skipped > 0) {
+        PAGE(", <span class=\"skip\">%d skipped</span>", skipped);
+    }
+    PAGE(".</p>\n<div "
+         "class=\"scroll\"><table>\n<thead><tr><th>what</th><th>ours</th><th>other</th><th "
+         "class=\"text\">unit</th><th>difference<small>relative</small></"
+         "th><th>tolerance<small>relative"
+         "</small></th><th>verdict</th><th class=\"text\">what the tolerance is made "
+         "of</th></tr></thead>\n<tbody>\n");
+    for (int i = 0; i < r->ncompare; i++) {
+        TRY(compare_line(page, &r->compare[i]));
+    }
+    PAGE("</tbody></table></div>\n");
+
+done:
+    return st;
+}
+
+static status materials(bytes *page, const run_result *r)
+{
+    status st = OK;
+
+    PAGE("<div "
+         "class=\"scroll\"><table>\n<thead><tr><th>material</th><th>E<small>MPa</small></th><th>ν</"
+         "th>"
+         "<th>linear up to<small>%% strain</small></th></tr></thead>\n<tbody>\n");
+    for (int i = 0; i < r->nmaterial; i++) {
+        const material *m = &r->materials[i];
+        PAGE("<tr><td>");
+        TRY(page_escaped(page, m->name));
+        PAGE("</td><td>%s</td><td>%s</td><td>%s</td></tr>\n", number_digits(m->E * 1e-6, 5).text,
+             number_digits(m->nu, 4).text,
+             m->linear_strain > 0 ? number_digits(m->linear_strain * 100, 3).text : "not given");
+    }
+    PAGE("</tbody></table></div>\n");
+
+done:
+    return st;
+}
+
+status page_assumptions(bytes *page, const run_result *r)
+{
+    status st = OK;
+
+    PAGE("<h2 id=\"assumptions\">Assumptions</h2>\n<ul>\n<li>Materials are linear, isotropic and "
+         "perfectly bonded where they meet.</li>\n");
+    if (r->has_rod) {
+        PAGE("<li>Tendons run without friction under constant tension, in straight lines or along "
+             "the routing "
+             "that the case gives; where a channel's radius was not measured, the case's radius is "
+             "an assumption, "
+             "and a tenth of a millimetre moves a soft rod's tip by millimetres.</li>\n"
+             "<li>No gravity and no other load on the rod.</li>\n");
+    }
+    if (r->has_section && r->section_model == MODEL_CLASSICAL) {
+        PAGE("<li>The classical model takes torsion and shear without warping: right for "
+             "axisymmetric sections "
+             "only.</li>\n");
+    }
+    if (r->has_segment) {
+        PAGE("<li>The 3D segment is linear: displacements are taken as small.</li>\n");
+    }
+    PAGE("</ul>\n");
+    if (r->nmaterial > 0) {
+        TRY(materials(page, r));
+    }
+
+done:
+    return st;
+}
+
+status page_origin(bytes *page, const run_result *r)
+{
+    status st = OK;
+
+    PAGE("<h2 id=\"origin\">Where this comes from</h2>\n");
+    if (r->versions[0]) {
+        PAGE("<h3>Versions</h3>\n<pre>");
+        TRY(page_escaped(page, r->versions));
+        PAGE("</pre>\n");
+    }
+    if (r->case_text && r->case_length > 0) {
+        PAGE("<h3>The case, as read</h3>\n<pre>");
+        TRY(markup_escape(page, r->case_text, r->case_length));
+        PAGE("</pre>\n");
+    }
+
+done:
+    return st;
+}

@@ -1,0 +1,142 @@
+// reports/page_style.c
+// The frame of the page: one style sheet for the screen, the phone and the printer; no script,
+// nothing from outside.
+#include "reports/page_kit.h"
+
+#include "reports/svg_tidy.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const char *const style[] = {
+    ":root{--ink:#20262f;--soft:#5b6470;--line:#dfe3e8;--tint:#f5f7f9;--accent:#00588f;--bad:#"
+    "b3261e;"
+    "--good:#1c6b48;--warn:#7a4b00}\n",
+    "*{box-sizing:border-box}\n"
+    "html{-webkit-text-size-adjust:100%}\n"
+    "body{margin:0;background:#fff;color:var(--ink);font:16px/1.55 system-ui,-apple-system,'Segoe "
+    "UI',"
+    "'DejaVu Sans',sans-serif}\n"
+    "main,header>div,footer>div{max-width:1060px;margin:0 auto;padding:0 20px}\n",
+    "header{background:#16324a;color:#fff;padding:30px 0 26px}\n"
+    "header p{margin:6px 0 0;color:#c8d7e4}\n"
+    "h1{font-size:1.75rem;line-height:1.2;margin:0;overflow-wrap:anywhere}\n"
+    "h2{font-size:1.3rem;margin:2.6rem 0 .5rem;padding-top:.9rem;border-top:2px solid var(--ink)}\n"
+    "h3{font-size:1rem;margin:1.6rem 0 .4rem}\n"
+    "p{margin:.5rem 0;max-width:46rem}\n",
+    "nav{margin-top:14px}nav a{color:#fff;margin-right:16px;white-space:nowrap}\n"
+    "dl.key{display:grid;grid-template-columns:repeat(auto-fit,minmax(158px,1fr));gap:12px;margin:"
+    "24px 0 0}\n"
+    "dl.key div{background:var(--tint);border:1px solid var(--line);border-radius:6px;padding:10px "
+    "14px}\n"
+    "dl.key dt{color:var(--soft);font-size:.82rem}\n"
+    "dl.key dd{margin:2px 0 "
+    "0;font-size:1.18rem;font-weight:600;font-variant-numeric:tabular-nums}\n"
+    "dl.key small{font-weight:400;font-size:.82rem;color:var(--soft)}\n",
+    ".scroll{overflow-x:auto;margin:.8rem 0}\n"
+    "table{border-collapse:collapse;font-size:.9rem;font-variant-numeric:tabular-nums;min-width:"
+    "100%}\n"
+    "caption{caption-side:top;text-align:left;color:var(--soft);padding:0 0 6px}\n"
+    "th,td{padding:6px 12px;text-align:right;border-bottom:1px solid "
+    "var(--line);vertical-align:top;"
+    "white-space:nowrap}\n"
+    "th{font-weight:600;border-bottom:1.5px solid var(--ink)}\n"
+    "th small,td small{display:block;font-weight:400;color:var(--soft)}\n"
+    "tbody th{border-bottom:1px solid var(--line)}\n"
+    "th:first-child,td:first-child,.text{text-align:left}\n"
+    "td.text{white-space:normal;min-width:11rem}\n"
+    "td.zero{color:#a6adb6}\n",
+    "figure{margin:1.2rem 0;overflow-x:auto;border:1px solid "
+    "var(--line);border-radius:6px;padding:6px}\n"
+    "figure svg{display:block;width:100%;height:auto;min-width:620px}\n"
+    "figcaption{color:var(--soft);font-size:.86rem;padding:4px 8px 6px;position:sticky;left:0}\n"
+    ".good{color:var(--good);font-weight:600}.bad{color:var(--bad);font-weight:600}"
+    ".skip{color:var(--soft)}\n"
+    ".note{border-left:4px solid var(--accent);background:var(--tint);padding:10px "
+    "14px;border-radius:0 6px 6px 0}\n"
+    ".warn{border-left-color:#d08a00;background:#fff6e3;color:var(--warn)}\n"
+    "pre{background:var(--tint);border:1px solid "
+    "var(--line);border-radius:6px;padding:14px;overflow-x:auto;"
+    "font:.84rem/1.5 ui-monospace,'DejaVu Sans Mono',monospace}\n"
+    "footer{margin-top:3rem;border-top:1px solid "
+    "var(--line);color:var(--soft);font-size:.86rem;padding:16px 0 30px}\n",
+    "@media(max-width:600px){h1{font-size:1.35rem}th,td{padding:5px 8px}}\n"
+    "@media "
+    "print{body{font-size:10.5pt}header{background:#fff;color:#000;padding:0;border-bottom:2px "
+    "solid #000}"
+    "header "
+    "p{color:#333}nav{display:none}h2{break-after:avoid}figure,table,dl.key{break-inside:avoid}"
+    "figure,.scroll{overflow:visible}figure "
+    "svg{min-width:0}pre{white-space:pre-wrap}td.text{min-width:0}"
+    "th,td{padding:3px 6px;white-space:normal}}\n",
+};
+
+status page_escaped(bytes *page, const char *text)
+{
+    return markup_escape(page, text, strlen(text));
+}
+
+status page_open(bytes *page, const char *title)
+{
+    status st = OK;
+
+    PAGE("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n");
+    PAGE("<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>");
+    TRY(page_escaped(page, title));
+    PAGE(" – stiffaxis</title>\n<style>\n");
+    for (size_t i = 0; i < sizeof style / sizeof *style; i++) {
+        TRY(bytes_text(page, style[i]));
+    }
+    PAGE("</style>\n</head>\n<body>\n");
+
+done:
+    return st;
+}
+
+status page_close(bytes *page)
+{
+    return bytes_text(page, "</body>\n</html>\n");
+}
+
+// The whole file; *out stays empty where there is none.
+static status read_file(const char *dir, const char *name, bytes *out)
+{
+    status st = OK;
+    char path[4096], piece[8192];
+    const int n = snprintf(path, sizeof path, "%s/%s.svg", dir, name);
+    FILE *f = n > 0 && n < (int)sizeof path ? fopen(path, "rb") : NULL;
+    if (!f) {
+        return OK;
+    }
+    for (size_t got = fread(piece, 1, sizeof piece, f); got > 0;
+         got = fread(piece, 1, sizeof piece, f)) {
+        TRY(bytes_append(out, piece, got));
+    }
+    if (ferror(f)) {
+        TRY(status_fail(ERR_RESOURCE, "cannot read the picture %s", path));
+    }
+
+done:
+    (void)fclose(f);
+    return st;
+}
+
+status page_figure(bytes *page, const char *dir, const char *name, const char *caption)
+{
+    status st = OK;
+    bytes svg = {0};
+
+    TRY(read_file(dir, name, &svg));
+    // without the XML declaration, which HTML does not know
+    const char *element = svg.data ? svg_element(svg.data) : NULL;
+    if (element) {
+        PAGE("<figure>\n");
+        TRY(bytes_text(page, element));
+        PAGE("<figcaption>%s</figcaption>\n</figure>\n", caption);
+    }
+
+done:
+    bytes_free(&svg);
+    return st;
+}

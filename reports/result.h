@@ -1,0 +1,96 @@
+// reports/result.h
+// Everything that a run found, in one place: the way out to JSON, CSV, the store, the figures and the page, and the way back
+// in from the store for `report`.
+#pragma once
+
+#include "base/law_along.h"
+#include "base/material.h"
+#include "base/mesh.h"
+#include "base/se3.h"
+#include "fem/segment.h"
+#include "io/csv.h"
+#include "io/json.h"
+#include "io/store.h"
+#include "section/section.h"
+
+#include <stdbool.h>
+
+// One comparison: two ways to the same number.
+typedef struct compare_row {
+    char what[96];        // "section: GJ, ours against GetDP"
+    char unit[16];
+    double ours, other;   // in `unit`
+    double difference;    // relative, by the definition that `what` names
+    double tolerance;     // relative
+    char reason[160];     // what the tolerance is made of
+    bool skipped;         // the other way is not on this machine, or does not apply; reason says so
+    bool ok;
+} compare_row;
+
+typedef struct rod_result {
+    int ntendon, npoint;
+    char tendon_name[16][64];
+    int nsolution;
+    struct rod_run {
+        double tension[16];       // [ntendon] [N]
+        double tendon_length[16]; // [m]
+        pose tip;
+        double total_bend_rad;    // angle between base and tip tangent, followed continuously along the rod
+        int iterations;
+        double relative_error;
+        double largest_strain;    // bound over the section: |eps| + |kappa| r at the worst station [-]
+        double *s;                // [npoint] [m]
+        pose *shape;              // [npoint]
+        double (*curvature)[3];   // [npoint] body components of w (kx, ky, twist) [1/m]
+    } *run;                       // [nsolution]
+} rod_result;
+
+enum { RESULT_MAX_TENDONS = 16 };
+
+typedef struct run_result {
+    char title[160];
+    char *case_text; // as read
+    size_t case_length;
+    char versions[512]; // one line per library that was used
+
+    int nmaterial;
+    material *materials; // names owned by the result
+
+    bool has_section, has_rod, has_segment, has_compare;
+    section_result section;
+    int section_model;
+    mesh section_mesh; // at the first station; nnode 0 where none was made
+    double symmetry_turn;
+
+    double rod_length; // [m]
+    rod_result rod;
+
+    double segment_length, segment_section_at; // [m]
+    int segment_base, segment_tip;
+    mesh segment_plane, segment_mesh;
+    segment_result segment; // displacements kept
+
+    int ncompare;
+    compare_row *compare;
+
+    char **load_name; // [segment.nload], owned, where a store was read; NULL where the case owns the loads' names
+} run_result;
+
+void run_result_free(run_result *r);
+
+// reports/result_json.c: the documents of the contract ("stiffaxis/section/1" ...). run: {"schema": "stiffaxis/run/1", "section":
+// {...}, "rod": {...}, "fem": {...}, "compare": {...}} with the parts that are there.
+status result_json_section(json *j, const char *key, const run_result *r);
+status result_json_rod(json *j, const char *key, const run_result *r);
+status result_json_segment(json *j, const char *key, const run_result *r);
+status result_json_compare(json *j, const char *key, const run_result *r);
+status result_json_run(json *j, const run_result *r);
+
+// reports/result_csv.c: sections.csv, rods.csv (tips), shapes.csv, segment.csv, compare.csv into the directory `dir`.
+status result_csv(const run_result *r, const char *dir);
+
+// reports/result_store.c: one HDF5 file (io/store.h) with everything above, and at /VTKHDF the section's mesh (part 0) and one
+// deformed segment per load, with the point field displacement_m. Reading recomputes nothing. Every count, index and choice of
+// a file is checked: ERR_FILE where it is damaged or not ours.
+status result_store_write(const run_result *r, const char *path);
+status result_store_read(const char *path, run_result *out);

@@ -1,0 +1,191 @@
+// reports/result_json.c
+// The documents of the program's contract. Keys carry their unit; matrices are arrays of rows in
+// the order nx ny nz mx my mz at the geometric centre. What is not a number is null.
+#include "reports/result.h"
+
+static const char *const model_names[] = {"full", "classical"};
+static const char *const base_names[] = {"clamped", "free_to_contract"};
+static const char *const tip_names[] = {"rigid", "E_proportional", "uniform"};
+
+// {"schema": ..., the documents' common beginning
+static void begin(json *j, const char *key, const char *schema, const run_result *r)
+{
+    json_object(j, key);
+    json_text(j, "schema", schema);
+    if (!key) {
+        json_text(j, "title", r->title);
+    }
+}
+
+static void write_mat3(json *j, const char *key, const mat3 *m)
+{
+    json_array(j, key);
+    for (int i = 0; i < 3; i++) {
+        json_reals(j, NULL, 3, m->a[i]);
+    }
+    json_array_end(j);
+}
+
+static void write_station(json *j, const section_station *s)
+{
+    const beam_centres *c = &s->centres;
+    json_object(j, NULL);
+    json_real(j, "s_m", s->s);
+    json_real(j, "area_m2", s->law.area);
+    json_real(j, "EA_N", c->EA);
+    json_reals(j, "stiffness_centre_m", 2, c->stiffness_centre);
+    json_real(j, "principal_angle_rad", c->principal_angle);
+    json_flag(j, "isotropic", c->isotropic);
+    json_reals(j, "EI_Nm2", 2, c->EI);
+    json_reals(j, "EI_centre_Nm2", 3, c->EI_centre);
+    json_real(j, "GJ_Nm2", c->GJ);
+    json_reals(j, "shear_centre_m", 2, c->shear_centre);
+    json_mat6(j, "K", s->law.K);
+    json_real(j, "relative_error", s->law.relative_error);
+    json_object_end(j);
+}
+
+status result_json_section(json *j, const char *key, const run_result *r)
+{
+    begin(j, key, "stiffaxis/section/1", r);
+    json_text(j, "model", model_names[r->section_model]);
+    json_integer(j, "sections_solved", r->section.nsolved);
+    json_real(j, "interpolation_relative_error", r->section.along.relative_error);
+    json_array(j, "stations");
+    for (int i = 0; i < r->section.nstation; i++) {
+        write_station(j, &r->section.station[i]);
+    }
+    json_array_end(j);
+    json_object_end(j);
+    return OK;
+}
+
+static void write_shape(json *j, const struct rod_run *run, int npoint)
+{
+    json_array(j, "shape");
+    for (int i = 0; i < npoint; i++) {
+        json_object(j, NULL);
+        json_real(j, "s_m", run->s[i]);
+        json_reals(j, "p_m", 3, run->shape[i].p.a);
+        json_reals(j, "curvature_per_m", 3, run->curvature[i]);
+        json_object_end(j);
+    }
+    json_array_end(j);
+}
+
+static void write_run(json *j, const rod_result *rod, const struct rod_run *run)
+{
+    json_object(j, NULL);
+    json_reals(j, "tensions_N", rod->ntendon, run->tension);
+    json_reals(j, "tip_position_m", 3, run->tip.p.a);
+    write_mat3(j, "tip_rotation", &run->tip.R);
+    json_real(j, "total_bend_rad", run->total_bend_rad);
+    json_reals(j, "tendon_length_m", rod->ntendon, run->tendon_length);
+    json_integer(j, "iterations", run->iterations);
+    // no external load: the energy of every section is convex, its minimum the one solution
+    // docs/theory.md (4.3)
+    json_flag(j, "stable", true);
+    json_real(j, "relative_error", run->relative_error);
+    json_real(j, "largest_strain", run->largest_strain);
+    write_shape(j, run, rod->npoint);
+    json_object_end(j);
+}
+
+status result_json_rod(json *j, const char *key, const run_result *r)
+{
+    begin(j, key, "stiffaxis/rod/1", r);
+    json_real(j, "length_m", r->rod_length);
+    json_array(j, "tendons");
+    for (int i = 0; i < r->rod.ntendon; i++) {
+        json_text(j, NULL, r->rod.tendon_name[i]);
+    }
+    json_array_end(j);
+    json_array(j, "solutions");
+    for (int i = 0; i < r->rod.nsolution; i++) {
+        write_run(j, &r->rod, &r->rod.run[i]);
+    }
+    json_array_end(j);
+    json_object_end(j);
+    return OK;
+}
+
+static void write_load(json *j, const segment_load_result *load)
+{
+    json_object(j, NULL);
+    json_text(j, "name", load->name);
+    json_reals(j, "point_m", 2, load->point);
+    json_real(j, "shortening_m", load->shortening);
+    json_reals(j, "tip_displacement_m", 3, load->tip_displacement);
+    json_reals(j, "tip_rotation_rad", 3, load->tip_rotation);
+    json_reals(j, "mid_curvature_per_m", 2, load->mid_curvature);
+    json_real(j, "strain_energy_J", load->strain_energy);
+    json_object_end(j);
+}
+
+status result_json_segment(json *j, const char *key, const run_result *r)
+{
+    const segment_result *s = &r->segment;
+    begin(j, key, "stiffaxis/fem/1", r);
+    json_real(j, "length_m", r->segment_length);
+    json_real(j, "section_at_m", r->segment_section_at);
+    json_text(j, "base", base_names[r->segment_base]);
+    json_text(j, "tip", tip_names[r->segment_tip]);
+    json_integer(j, "dofs", s->dofs);
+    json_mat6(j, "K", s->law.K);
+    json_reals(j, "stiffness_centre_m", 2, s->stiffness_centre);
+    json_reals(j, "tip_centre_m", 2, s->tip_centre);
+    json_mat6(j, "tip_compliance", s->tip_compliance);
+    json_real(j, "relative_error", s->relative_error);
+    json_real(j, "residual", s->residual);
+    json_array(j, "loads");
+    for (int i = 0; i < s->nload; i++) {
+        write_load(j, &s->load[i]);
+    }
+    json_array_end(j);
+    json_object_end(j);
+    return OK;
+}
+
+static void write_row(json *j, const compare_row *row)
+{
+    json_object(j, NULL);
+    json_text(j, "what", row->what);
+    json_text(j, "unit", row->unit);
+    json_real(j, "ours", row->ours);
+    json_real(j, "other", row->other);
+    json_real(j, "difference_relative", row->difference);
+    json_real(j, "tolerance_relative", row->tolerance);
+    json_text(j, "reason", row->reason);
+    json_flag(j, "skipped", row->skipped);
+    json_flag(j, "ok", row->ok);
+    json_object_end(j);
+}
+
+status result_json_compare(json *j, const char *key, const run_result *r)
+{
+    bool ok = true;
+    begin(j, key, "stiffaxis/compare/1", r);
+    json_array(j, "rows");
+    for (int i = 0; i < r->ncompare; i++) {
+        write_row(j, &r->compare[i]);
+        ok = ok && (r->compare[i].ok || r->compare[i].skipped);
+    }
+    json_array_end(j);
+    json_flag(j, "ok", ok);
+    json_object_end(j);
+    return OK;
+}
+
+status result_json_run(json *j, const run_result *r)
+{
+    status st = OK;
+    begin(j, NULL, "stiffaxis/run/1", r);
+    TRY(r->has_section ? result_json_section(j, "section", r) : OK);
+    TRY(r->has_rod ? result_json_rod(j, "rod", r) : OK);
+    TRY(r->has_segment ? result_json_segment(j, "fem", r) : OK);
+    TRY(r->has_compare ? result_json_compare(j, "compare", r) : OK);
+    json_object_end(j);
+
+done:
+    return st;
+}

@@ -1,0 +1,183 @@
+// reports/store_segment.c
+#include "base/memory.h"
+#include "reports/store_parts.h"
+
+#include <limits.h>
+#include <stdio.h>
+#include <string.h>
+
+static status pass_load_names(const passage *p, run_result *r, int n)
+{
+    status st = OK;
+    for (int i = 0; i < n; i++) {
+        char name[64], *text = (char *)r->segment.load[i].name;
+        size_t length = text ? strlen(text) : 0;
+        (void)snprintf(name, sizeof name, "fem/load/%d/name", i);
+        TRY(passage_text(p, name, &text, &length));
+        if (p->reading) {
+            r->segment.load[i].name = r->load_name[i] = text;
+        }
+    }
+
+done:
+    return st;
+}
+
+static status pass_displacement(const passage *p, int i, int nnode, segment_load_result *load)
+{
+    static const column u = {"displacement_m", COLUMN_REAL, "m", 0, 1, {3}, 0};
+    status st = OK;
+    char group[64], flag[96];
+    int there = load->displacement != NULL;
+    (void)snprintf(group, sizeof group, "fem/load/%d", i);
+    (void)snprintf(flag, sizeof flag, "%s/has_displacement", group);
+    TRY(passage_count(p, flag, 0, 1, &there));
+    if (there) {
+        TRY(passage_room(p, (void **)&load->displacement, (size_t)nnode, 3 * sizeof(double)));
+        TRY(passage_columns(p, group, 1, &u,
+                            rows_of(load->displacement, nnode, 3 * sizeof(double))));
+    }
+
+done:
+    return st;
+}
+
+static status pass_loads(const passage *p, run_result *r)
+{
+#define LOAD(member) offsetof(segment_load_result, member)
+    static const column columns[] = {
+        {"point_m", COLUMN_REAL, "m", LOAD(point), 1, {2}, 0},
+        {"shortening_m", COLUMN_REAL, "m", LOAD(shortening), 0, {0}, 0},
+        {"tip_displacement_m", COLUMN_REAL, "m", LOAD(tip_displacement), 1, {3}, 0},
+        {"tip_rotation_rad", COLUMN_REAL, "rad", LOAD(tip_rotation), 1, {3}, 0},
+        {"mid_curvature_per_m", COLUMN_REAL, "1/m", LOAD(mid_curvature), 1, {2}, 0},
+        {"strain_energy_J", COLUMN_REAL, "J", LOAD(strain_energy), 0, {0}, 0},
+    };
+#undef LOAD
+    status st = OK;
+    segment_result *s = &r->segment;
+    int n = s->nload;
+    TRY(passage_count(p, "fem/load_count", 0, MOST_LOADS, &n));
+    TRY(passage_room(p, (void **)&s->load, (size_t)n, sizeof *s->load));
+    TRY(passage_room(p, (void **)&r->load_name, (size_t)n, sizeof *r->load_name));
+    s->nload = n;
+    TRY(pass_load_names(p, r, n));
+    TRY(passage_columns(p, "fem/load", COUNT_OF(columns), columns,
+                        rows_of(s->load, n, sizeof *s->load)));
+    for (int i = 0; i < n; i++) {
+        TRY(pass_displacement(p, i, r->segment_mesh.nnode, &s->load[i]));
+    }
+
+done:
+    return st;
+}
+
+// the solid is the plane mesh level by level: the pictures rely on it
+static status check_extruded(const passage *p, const mesh *plane, const mesh *solid)
+{
+    if (plane->nnode == 0 || solid->nnode == 0) {
+        return plane->nnode == solid->nnode ? OK : passage_damaged(p, "fem", "has one mesh of two");
+    }
+    const int level = solid->nnode / plane->nnode, layers = (level - 1) / plane->order;
+    bool ok = solid->order == plane->order && solid->nblock == plane->nblock &&
+              solid->nnode == level * plane->nnode && level > 1 &&
+              level == layers * plane->order + 1;
+    for (int b = 0; ok && b < plane->nblock; b++) {
+        ok = (solid->block[b].shape == SHAPE_HEX) == (plane->block[b].shape == SHAPE_QUAD) &&
+             solid->block[b].nelem / layers == plane->block[b].nelem &&
+             solid->block[b].nelem % layers == 0;
+    }
+    return ok ? OK : passage_damaged(p, "fem/mesh", "is not its plane mesh extruded");
+}
+
+status store_pass_segment(const passage *p, run_result *r)
+{
+#define SEGMENT(member) offsetof(run_result, member)
+    static const column columns[] = {
+        {"length_m", COLUMN_REAL, "m", SEGMENT(segment_length), 0, {0}, 0},
+        {"section_at_m", COLUMN_REAL, "m", SEGMENT(segment_section_at), 0, {0}, 0},
+        {"base", COLUMN_INT, "-", SEGMENT(segment_base), 0, {0}, BASE_FREE_TO_CONTRACT},
+        {"tip", COLUMN_INT, "-", SEGMENT(segment_tip), 0, {0}, TIP_UNIFORM},
+        {"dofs", COLUMN_INT, "-", SEGMENT(segment.dofs), 0, {0}, INT_MAX},
+        {"K", COLUMN_REAL, STIFFNESS_UNIT, SEGMENT(segment.law.K), 2, {6, 6}, 0},
+        {"area_m2", COLUMN_REAL, "m^2", SEGMENT(segment.law.area), 0, {0}, 0},
+        {"law_relative_error", COLUMN_ANY, "-", SEGMENT(segment.law.relative_error), 0, {0}, 0},
+        {"stiffness_centre_m", COLUMN_REAL, "m", SEGMENT(segment.stiffness_centre), 1, {2}, 0},
+        {"tip_centre_m", COLUMN_ANY, "m", SEGMENT(segment.tip_centre), 1, {2}, 0},
+        {"tip_compliance",
+         COLUMN_REAL,
+         COMPLIANCE_UNIT,
+         SEGMENT(segment.tip_compliance),
+         2,
+         {6, 6},
+         0},
+        {"relative_error", COLUMN_ANY, "-", SEGMENT(segment.relative_error), 0, {0}, 0},
+        {"residual", COLUMN_ANY, "-", SEGMENT(segment.residual), 0, {0}, 0},
+    };
+#undef SEGMENT
+    status st = OK;
+    TRY(passage_columns(p, "fem", COUNT_OF(columns), columns, single(r)));
+    TRY(passage_mesh(p, "fem/plane", 2, r->nmaterial, &r->segment_plane));
+    TRY(passage_mesh(p, "fem/mesh", 3, r->nmaterial, &r->segment_mesh));
+    TRY(p->reading ? check_extruded(p, &r->segment_plane, &r->segment_mesh) : OK);
+    TRY(pass_loads(p, r));
+
+done:
+    return st;
+}
+
+// --- the grid ------------------------------------------------------------------------------------
+
+static status name_part(store *s, int part, const char *text)
+{
+    char name[64];
+    (void)snprintf(name, sizeof name, "part/%d", part);
+    return store_text(s, name, text, strlen(text));
+}
+
+// one piece and the name of its part
+static status add_piece(store *s, const mesh *m, const store_field *field, const char *name, int *n,
+                        store_grid_piece *pieces)
+{
+    pieces[*n] =
+        (store_grid_piece){.mesh = m, .displacement = field->data, .nfield = 1, .field = field};
+    const status st = name_part(s, *n, name);
+    *n += 1;
+    return st;
+}
+
+status store_write_grid(store *s, const run_result *r)
+{
+    status st = OK;
+    int n = 0;
+    double *rest = NULL;
+    store_field *fields = NULL;
+    store_grid_piece *pieces = NULL;
+    const int nload = r->has_segment ? r->segment.nload : 0;
+    TRY(TAKE(rest, 3 * (size_t)r->section_mesh.nnode));
+    TRY(TAKE(fields, (size_t)nload + 1));
+    TRY(TAKE(pieces, (size_t)nload + 1));
+    for (int i = 0; i <= nload; i++) {
+        fields[i] = (store_field){.name = "displacement_m", .ncomponent = 3, .data = rest};
+    }
+    if (r->has_section && r->section_mesh.nnode > 0) {
+        TRY(add_piece(s, &r->section_mesh, &fields[nload], "section", &n, pieces));
+    }
+    for (int i = 0; i < nload; i++) {
+        const segment_load_result *load = &r->segment.load[i];
+        if (load->displacement) {
+            fields[i].data = load->displacement;
+            TRY(add_piece(s, &r->segment_mesh, &fields[i], load->name ? load->name : "", &n,
+                          pieces));
+        }
+    }
+    if (n > 0) {
+        TRY(store_grid(s, n, pieces));
+    }
+
+done:
+    free(pieces);
+    free(fields);
+    free(rest);
+    return st;
+}

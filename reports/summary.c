@@ -1,0 +1,168 @@
+// reports/summary.c
+// What the terminal shows: a few aligned lines, plain ASCII but for the user's own words.
+#include "reports/fig4_paper.h"
+#include "reports/figures.h"
+#include "reports/page_kit.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { COLUMNS = 100, MAX_LINES = 64 };
+
+typedef struct summary {
+    int count, room;
+    char line[MAX_LINES][4 * COLUMNS + 4]; // four bytes to the character
+} summary;
+
+static void add(summary *s, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+static void add(summary *s, const char *format, ...)
+{
+    char text[1024];
+    va_list arguments;
+    if (s->count >= s->room) {
+        return;
+    }
+    va_start(arguments, format);
+    (void)vsnprintf(text, sizeof text, format, arguments);
+    va_end(arguments);
+    utf8_shorten(text, COLUMNS, s->line[s->count], sizeof s->line[0]);
+    s->count++;
+}
+
+static double degrees(double angle)
+{
+    return angle * 180 / acos(-1.0);
+}
+
+// what rounds to nothing carries no minus
+static double plain(double value, double least)
+{
+    return fabs(value) < least ? 0 : value;
+}
+
+static void section_lines(summary *s, const run_result *r)
+{
+    const section_station *at = &r->section.station[0];
+    const beam_centres *c = &at->centres;
+    add(s, "section  EA %.6g N   EI %.6g and %.6g N mm^2   GJ %.6g N mm^2   at s = %.4g mm", c->EA,
+        c->EI[0] * 1e6, c->EI[1] * 1e6, c->GJ * 1e6, at->s * 1e3);
+    add(s, "         stiffness centre (%.4f, %.4f) mm   shear centre (%.4f, %.4f) mm",
+        plain(c->stiffness_centre[0] * 1e3, 5e-5), plain(c->stiffness_centre[1] * 1e3, 5e-5),
+        plain(c->shear_centre[0] * 1e3, 5e-5), plain(c->shear_centre[1] * 1e3, 5e-5));
+    add(s, "         %s model, %d station%s, relative error %.1e",
+        r->section_model == MODEL_CLASSICAL ? "classical" : "full", r->section.nstation,
+        r->section.nstation == 1 ? "" : "s", at->law.relative_error);
+}
+
+static void rod_line(summary *s, const run_result *r, int solution, double linear)
+{
+    const struct rod_run *run = &r->rod.run[solution];
+    char pulled[40] = "";
+    for (int i = 0; i < r->rod.ntendon; i++) {
+        const size_t used = strlen(pulled);
+        (void)snprintf(pulled + used, sizeof pulled - used, "%s%.3g", i ? " " : "",
+                       run->tension[i]);
+    }
+    add(s, "         %-18s tip (%8.3f, %8.3f, %8.3f) mm  bend %6.1f deg  strain %4.1f %%%s", pulled,
+        plain(run->tip.p.a[0] * 1e3, 5e-4), plain(run->tip.p.a[1] * 1e3, 5e-4),
+        plain(run->tip.p.a[2] * 1e3, 5e-4), degrees(run->total_bend_rad), run->largest_strain * 100,
+        linear > 0 && run->largest_strain > linear ? " !" : "");
+}
+
+static void rod_lines(summary *s, const run_result *r, int room)
+{
+    const char *name = "";
+    const double linear = smallest_linear_strain(r, &name);
+    const rod_result *rod = &r->rod;
+    int beyond = 0;
+    for (int i = 0; i < rod->nsolution; i++) {
+        beyond += linear > 0 && rod->run[i].largest_strain > linear;
+    }
+    // the heading, perhaps the warning, and as many solutions as fit
+    const int space = room - 1 - (beyond > 0);
+    const int shown = rod->nsolution <= space ? rod->nsolution : space - 1;
+    add(s, "rod      %.4g mm, tensions in N", r->rod_length * 1e3);
+    for (int i = 0; i < shown; i++) {
+        rod_line(s, r, i, linear);
+    }
+    if (shown < rod->nsolution) {
+        add(s, "         and %d more in rods.csv", rod->nsolution - (shown > 0 ? shown : 0));
+    }
+    if (beyond > 0) {
+        add(s, "         ! %d of %d strain %s past its linear %.3g %%", beyond, rod->nsolution,
+            name, linear * 100);
+    }
+}
+
+static void segment_lines(summary *s, const run_result *r)
+{
+    const segment_result *g = &r->segment;
+    const int shown = g->nload < 4 ? g->nload : 4;
+    add(s, "segment  %.4g mm, %d unknowns, centre found (%.4f, %.4f) mm", r->segment_length * 1e3,
+        g->dofs, plain(g->stiffness_centre[0] * 1e3, 5e-5),
+        plain(g->stiffness_centre[1] * 1e3, 5e-5));
+    for (int i = 0; i < shown; i++) {
+        const segment_load_result *l = &g->load[i];
+        char name[96];
+        utf8_shorten(l->name ? l->name : "load", 18, name, sizeof name);
+        add(s, "         %-18s shortening %7.4f mm  tip angle %7.3f deg  mid curvature %7.3f 1/m",
+            name, l->shortening * 1e3, degrees(hypot(l->tip_rotation[0], l->tip_rotation[1])),
+            hypot(l->mid_curvature[0], l->mid_curvature[1]));
+    }
+    if (shown < g->nload) {
+        add(s, "         and %d more in segment.csv", g->nload - shown);
+    }
+    if (fig4_is(r)) {
+        add(s, "         the paper reports: GC 10.7 deg, 9.39 1/m; NC 0.63 mm, under 0.1 deg (see "
+               "the page)");
+    }
+}
+
+static void compare_lines(summary *s, const run_result *r)
+{
+    const int bad = compare_out_of_tolerance(r), skipped = compare_skipped(r);
+    add(s, "compare  %d agree, %d out of tolerance, %d skipped", r->ncompare - bad - skipped, bad,
+        skipped);
+    for (int i = 0, shown = 0; i < r->ncompare && shown < 3; i++) {
+        const compare_row *row = &r->compare[i];
+        if (!row->skipped && !row->ok) {
+            add(s, "         OUT: %s: %.7g against %.7g %s (%.1e > %.1e)", row->what, row->ours,
+                row->other, row->unit, row->difference, row->tolerance);
+            shown++;
+        }
+    }
+}
+
+status report_summary(const run_result *r, int max_lines, void *stdio_stream)
+{
+    FILE *stream = stdio_stream;
+    summary first = {.room = max_lines < MAX_LINES ? max_lines : MAX_LINES}, rest = first;
+
+    add(&first, "%s", r->title[0] ? r->title : "untitled case");
+    if (r->has_section && r->section.nstation > 0) {
+        section_lines(&first, r);
+    }
+    if (r->has_segment) {
+        segment_lines(&rest, r);
+    }
+    if (r->has_compare && r->ncompare > 0) {
+        compare_lines(&rest, r);
+    }
+    // the rod, of any number of lines, takes what the others leave
+    const int room = first.room - first.count - rest.count;
+    if (r->has_rod && r->rod.nsolution > 0 && room > 0) {
+        rod_lines(&first, r, room);
+    }
+    for (int i = 0; i < rest.count; i++) {
+        add(&first, "%s", rest.line[i]);
+    }
+    for (int i = 0; i < first.count; i++) {
+        (void)fprintf(stream, "%s\n", first.line[i]);
+    }
+    return fflush(stream) == 0 && !ferror(stream)
+               ? OK
+               : status_fail(ERR_RESOURCE, "writing the summary failed: disk full or pipe closed?");
+}

@@ -1,0 +1,13 @@
+// reports/svg_tidy.h
+// cairo's SVG made fit for us: ids that say whose they are, so that several pictures live in one
+// page, and that do not count what the process drew before; a title; properties at their initial
+// values left off.
+#pragma once
+
+#include "reports/markup.h"
+
+// name: in front of every id. title: of the document, escaped here.
+status svg_tidy(const bytes *raw, const char *name, const char *title, bytes *out);
+
+// Where the <svg> element begins: what a page takes in. NULL when there is none.
+const char *svg_element(const char *document);

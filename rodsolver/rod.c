@@ -1,0 +1,241 @@
+// rodsolver/rod.c
+#include "base/memory.h"
+#include "rodsolver/rod_plan.h"
+
+#include <math.h>
+#include <string.h>
+
+// panels of the plans, from coarse to fine: two, then steps of 3/2 and 4/3
+static const int panel_count[ROD_MAX_PLANS] = {2,  4,   6,   8,   12,  16,  24,  32,   48,   64,
+                                               96, 128, 192, 256, 384, 512, 768, 1024, 1536, 2048};
+enum { PLANS_IN_RESERVE = 2 };
+
+const double rod_probe_share[ROD_PROBES] = {0.2, 0.4, 0.6, 0.8};
+
+// two edges nearer than this part of the length are one
+static const double same_edge = 1e-9;
+
+static status copy_tendons(rod *r, const tendon_spec *tendons)
+{
+    status st = OK;
+    TRY(TAKE(r->spec, (size_t)r->ntendon));
+    for (int i = 0; i < r->ntendon; i++) {
+        tendon_spec *t = &r->spec[i];
+        *t = tendons[i];
+        if (t->end == 0) {
+            t->end = r->length;
+        }
+        if (!(t->end > 0) || t->end > r->length * (1 + same_edge)) {
+            TRY(status_fail(ERR_INPUT, "rod: tendon '%s' ends at %g m, outside the rod of %g m",
+                            t->name ? t->name : "?", t->end, r->length));
+        }
+    }
+
+done:
+    return st;
+}
+
+static int compare_reals(const void *a, const void *b)
+{
+    const double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+// edges of the law's panels and ends of tendons, sorted, each once
+static status find_breaks(rod *r)
+{
+    status st = OK;
+    const int nedge = r->law->npanel + 1;
+    const size_t n = (size_t)nedge + (size_t)r->ntendon;
+    TRY(TAKE(r->breaks, n));
+    memcpy(r->breaks, r->law->edge, (size_t)nedge * sizeof *r->breaks);
+    for (int i = 0; i < r->ntendon; i++) {
+        r->breaks[nedge + i] = r->spec[i].end;
+    }
+    qsort(r->breaks, n, sizeof *r->breaks, compare_reals);
+    for (size_t i = 0; i < n; i++) {
+        if (r->nbreak == 0 || r->breaks[i] - r->breaks[r->nbreak - 1] > same_edge * r->length) {
+            r->breaks[r->nbreak++] = r->breaks[i];
+        }
+    }
+    r->breaks[0] = 0;
+    r->breaks[r->nbreak - 1] = r->length;
+
+done:
+    return st;
+}
+
+// a finer plan, and room for its solution
+static status add_plan(rod *r, int npanel)
+{
+    status st = OK;
+    plan *p = &r->plans[r->nplan];
+    TRY(plan_make(r, npanel, p));
+    r->nplan++;
+    r->solved = NULL;
+    free(r->xi);
+    free(r->pair_pose);
+    r->xi = NULL;
+    r->pair_pose = NULL;
+    TRY(TAKE(r->xi, 6 * (size_t)p->nstation));
+    TRY(TAKE(r->pair_pose, (size_t)p->npair + 1));
+
+done:
+    return st;
+}
+
+static void end_frames(rod *r)
+{
+    r->base = r->tip = pose_identity();
+    if (r->options.frame == FRAME_NC) {
+        centre_frame f;
+        const plan *p = &r->plans[r->nplan - 1];
+        law_along_centre_frame(r->law, 0, p->frame[0].phi, &f);
+        r->base = centre_frame_pose(&f);
+        law_along_centre_frame(r->law, r->length, p->frame[p->nstation - 1].phi, &f);
+        r->tip = centre_frame_pose(&f);
+    }
+}
+
+// the probe's load: tendon i alone, or all together for i = ntendon, at a share of what each can
+// pull alone
+static void set_probe(rod *r, int i, double share)
+{
+    const plan *p = &r->plans[r->nplan - 1];
+    r->nactive = 0;
+    for (int j = 0; j < r->ntendon; j++) {
+        r->tension[j] = 0;
+        if (i == j || i == r->ntendon) {
+            r->tension[j] = share * p->tendon[j].critical / (i == j ? 1 : r->ntendon);
+            r->active[r->nactive++] = j;
+        }
+    }
+}
+
+// raises *level until the estimate of this probe meets the tolerance
+static status probe(rod *r, int load, double share, int *level)
+{
+    status st = OK;
+    rod_solution out = {0};
+    for (;;) {
+        set_probe(r, load, share);
+        if (solve_on_plan(r, &r->plans[*level], &out) != OK) {
+            // such a load is refused when it is asked for
+            status_clear();
+            break;
+        }
+        if (out.relative_error <= r->options.tolerance || *level == ROD_MAX_PLANS - 1) {
+            break;
+        }
+        ++*level;
+        if (*level == r->nplan) {
+            TRY(add_plan(r, panel_count[*level]));
+        }
+    }
+
+done:
+    return st;
+}
+
+// which plan serves which share of the critical tension; the finest for the largest share has two
+// more in reserve
+static status choose_plans(rod *r)
+{
+    status st = OK;
+    int level = 0;
+    TRY(add_plan(r, panel_count[0]));
+    end_frames(r);
+    for (int k = 0; k < ROD_PROBES; k++) {
+        const int loads = r->ntendon > 1 ? r->ntendon + 1 : r->ntendon;
+        for (int load = 0; load < loads; load++) {
+            TRY(probe(r, load, rod_probe_share[k], &level));
+        }
+        r->first_plan[k] = level;
+    }
+    while (r->nplan < ROD_MAX_PLANS && r->nplan <= level + PLANS_IN_RESERVE) {
+        TRY(add_plan(r, panel_count[r->nplan]));
+    }
+    r->solved = NULL;
+
+done:
+    return st;
+}
+
+static status check_options(const law_along *law, int ntendon, const rod_options *options)
+{
+    if (ntendon < 0 || ntendon > ROD_MAX_TENDONS) {
+        return status_fail(ERR_INPUT, "rod: %d tendons, at most %d are possible", ntendon,
+                           ROD_MAX_TENDONS);
+    }
+    if (options->npanel <= 0 && !(options->tolerance >= ROD_MIN_TOLERANCE)) {
+        return status_fail(ERR_INPUT, "rod: tolerance %g is below the rounding limit %g",
+                           options->tolerance, ROD_MIN_TOLERANCE);
+    }
+    for (int i = 0; i < law->npanel * law->nnode; i++) {
+        const status st = beam_law_check(&law->law[i]);
+        if (st != OK) {
+            return st;
+        }
+    }
+    return OK;
+}
+
+status rod_make(const law_along *law, int ntendon, const tendon_spec *tendons,
+                const rod_options *options, rod **out)
+{
+    status st = OK;
+    rod *r = NULL;
+    TRY(check_options(law, ntendon, options));
+    TRY(TAKE(r, 1));
+    r->law = law;
+    r->options = *options;
+    r->length = law->length;
+    r->ntendon = ntendon;
+    for (int i = 0; i < GAUSS_STATIONS; i++) {
+        lie_pair_weights(2 * gauss_point[i], r->pair_weight[i]);
+    }
+    TRY(copy_tendons(r, tendons));
+    TRY(find_breaks(r));
+    if (options->npanel > 0) {
+        TRY(add_plan(r, options->npanel));
+        end_frames(r);
+    } else {
+        TRY(choose_plans(r));
+    }
+    *out = r; // ownership passes only when all is well
+    r = NULL;
+
+done:
+    rod_free(r);
+    return st;
+}
+
+void rod_free(rod *r)
+{
+    if (!r) {
+        return;
+    }
+    for (int i = 0; i < r->nplan; i++) {
+        plan_free(&r->plans[i], r->ntendon);
+    }
+    free(r->spec);
+    free(r->breaks);
+    free(r->xi);
+    free(r->pair_pose);
+    free(r);
+}
+
+int rod_panel_count(const rod *r)
+{
+    const plan *p = r->solved ? r->solved : &r->plans[r->first_plan[ROD_PROBES - 1]];
+    return 2 * p->npair;
+}
+
+double rod_critical_tension(const rod *r, int tendon, double *s)
+{
+    const plan_tendon *t = &r->plans[r->nplan - 1].tendon[tendon];
+    if (s) {
+        *s = t->critical_at;
+    }
+    return t->critical;
+}

@@ -1,0 +1,282 @@
+// section/along.c
+#include "base/chebyshev.h"
+#include "base/memory.h"
+#include "section/reuse.h"
+#include "section/section.h"
+
+#include <math.h>
+#include <string.h>
+
+// Nodes per panel and panels tried, in this order: nested nodes first, then halved panels.
+typedef struct layout {
+    int npanel, nnode;
+} layout;
+static const layout layouts[] = {
+    {1, 5},  {1, 9},  {1, 17}, {1, 33}, {2, 9},  {2, 17}, {2, 33},  {4, 9},
+    {4, 17}, {4, 33}, {8, 9},  {8, 17}, {8, 33}, {16, 9}, {16, 17}, {16, 33},
+};
+enum { NLAYOUT = sizeof layouts / sizeof *layouts, MOST_STATIONS = 1000 };
+
+// The probe's place in a panel: irrational, far from any node of small layouts.
+static const double probe_place = 0.38196601125010515;
+// The probe may miss by this many times the tolerance: the coefficients tell the error's size, the
+// probe that it is not another function that the nodes see.
+static const double probe_slack = 10;
+
+static status fill(section_store *store, law_along *along)
+{
+    status st = OK;
+    for (int k = 0; k < along->npanel; k++) {
+        for (int i = 0; i < along->nnode; i++) {
+            const int node = k * along->nnode + i;
+            bool symmetric = false;
+            TRY(section_store_law(store, law_along_node(along, k, i), &along->law[node],
+                                  &along->turn[node], &symmetric));
+        }
+    }
+
+done:
+    return st;
+}
+
+// the two last Chebyshev coefficients, which bound what the next ones add where they decay
+static double tail(int n, const double *value)
+{
+    double coefficient[LAW_ALONG_MAX_NODES];
+    chebyshev_coefficients(n, value, coefficient);
+    return fmax(fabs(coefficient[n - 1]), fabs(coefficient[n - 2]));
+}
+
+// interpolation error of one panel: K relative as in (6.1), by the panel's smallest diagonal
+static double stiffness_error(const law_along *along, int panel)
+{
+    const int n = along->nnode;
+    const beam_law *law = along->law + (size_t)panel * (size_t)n;
+    double value[LAW_ALONG_MAX_NODES], size[6], most = 0;
+    for (int i = 0; i < 6; i++) {
+        size[i] = INFINITY;
+        for (int k = 0; k < n; k++) {
+            size[i] = fmin(size[i], law[k].K.a[i][i]);
+        }
+    }
+    for (int i = 0; i < 6; i++) {
+        for (int j = i; j < 6; j++) {
+            for (int k = 0; k < n; k++) {
+                value[k] = law[k].K.a[i][j];
+            }
+            most = fmax(most, tail(n, value) / sqrt(size[i] * size[j]));
+        }
+    }
+    return most;
+}
+
+// a turn off by an angle [rad] puts K off by at most about that
+static double turn_error(const law_along *along, int panel)
+{
+    return tail(along->nnode, along->turn + (size_t)panel * (size_t)along->nnode);
+}
+
+// the interpolant against a section solved between the nodes
+static status probe(section_store *store, const law_along *along, int panel, double *miss)
+{
+    status st = OK;
+    beam_law law = {0};
+    double turn = 0;
+    bool symmetric = false;
+    const double a = along->edge[panel], b = along->edge[panel + 1];
+    const double s = a + probe_place * (b - a);
+    TRY(section_store_law(store, s, &law, &turn, &symmetric));
+    mat6 K;
+    law_along_at(along, s, &K, NULL);
+    *miss = mat6_relative_error(K, beam_law_move(law.K, 0, 0, -turn));
+
+done:
+    return st;
+}
+
+// Sections on meshes differ by their own error from station to station: no interpolant can be asked
+// to be closer. Turned copies of one section do not, and turns are known exactly.
+static double reachable(const section_store *store, const law_along *along, double tolerance)
+{
+    for (int i = 0; store->count > 1 && i < along->npanel * along->nnode; i++) {
+        tolerance = fmax(tolerance, along->law[i].relative_error);
+    }
+    return tolerance;
+}
+
+// the panel that is worst, by its error over what is allowed
+typedef struct judgement {
+    double ratio, error;
+    int panel;
+} judgement;
+
+static void keep_worst(judgement *worst, double error, double allowed, int panel)
+{
+    if (!(error / allowed <= worst->ratio)) {
+        *worst = (judgement){error / allowed, error, panel};
+    }
+}
+
+static status judge(section_store *store, law_along *along, double tolerance, judgement *worst)
+{
+    status st = OK;
+    const double allowed = reachable(store, along, tolerance);
+    *worst = (judgement){0};
+    along->relative_error = 0;
+    for (int k = 0; k < along->npanel; k++) {
+        const double stiffness = stiffness_error(along, k), turn = turn_error(along, k);
+        keep_worst(worst, stiffness, allowed, k);
+        keep_worst(worst, turn, tolerance, k);
+        along->relative_error = fmax(along->relative_error, fmax(stiffness, turn));
+    }
+    for (int k = 0; k < along->npanel && worst->ratio <= 1; k++) {
+        double miss = 0;
+        TRY(probe(store, along, k, &miss));
+        keep_worst(worst, miss, probe_slack * allowed, k);
+    }
+
+done:
+    return st;
+}
+
+static status one_station(section_store *store, double length, law_along *out)
+{
+    status st = OK;
+    TRY(law_along_make(length, 1, 1, out));
+    TRY(fill(store, out));
+
+done:
+    return st;
+}
+
+static status interpolate(section_store *store, double length, double tolerance, law_along *out)
+{
+    status st = OK;
+    law_along along = {0};
+    judgement j = {0};
+    for (int k = 0; k < NLAYOUT; k++) {
+        law_along_free(&along);
+        TRY(law_along_make(length, layouts[k].npanel, layouts[k].nnode, &along));
+        TRY(fill(store, &along));
+        TRY(judge(store, &along, tolerance, &j));
+        if (j.ratio <= 1) {
+            *out = along;
+            along = (law_along){0};
+            goto done;
+        }
+    }
+    TRY(status_fail(
+        ERR_NUMERIC,
+        "section: its stiffness along the rod is not resolved to %.1e by %d panels of %d "
+        "stations (still %.1e off between s = %.4g m and %.4g m): is there a jump?",
+        tolerance, along.npanel, along.nnode, j.error, along.edge[j.panel],
+        along.edge[j.panel + 1]));
+
+done:
+    law_along_free(&along);
+    return st;
+}
+
+// --- stations
+
+// Principal axes: the declared axis of symmetry, else the axis of the largest int E x'^2 first and
+// from there on the one that goes on with the pattern's turn.
+typedef struct axis_memory {
+    bool begun;
+    double angle, turn; // of the last station
+} axis_memory;
+
+static status add_station(section_store *store, double s, axis_memory *axis, section_result *r)
+{
+    status st = OK;
+    section_station *new = &r->station[r->nstation];
+    double turn = 0;
+    bool symmetric = false;
+    new->s = s;
+    TRY(section_store_law(store, s, &new->law, &turn, &symmetric));
+    new->law.K = beam_law_move(new->law.K, 0, 0, -turn);
+    if (symmetric) {
+        TRY(beam_law_centres_near(&new->law, turn, &new->centres));
+    } else if (axis->begun) {
+        const double near = axis->angle + turn - axis->turn;
+        TRY(beam_law_centres_near(&new->law, near, &new->centres));
+    } else {
+        TRY(beam_law_centres(&new->law, &new->centres));
+    }
+    *axis = (axis_memory){true, new->centres.principal_angle, turn};
+    r->nstation++;
+
+done:
+    return st;
+}
+
+static status asked_stations(section_store *store, const key_rows *rows, double length,
+                             section_result *r)
+{
+    status st = OK;
+    axis_memory axis = {0};
+    const int count = rows->nrow * rows->ncol;
+    if (count > MOST_STATIONS) {
+        TRY(status_fail(ERR_INPUT, "section: %d stations are more than %d", count, MOST_STATIONS));
+    }
+    TRY(TAKE(r->station, (size_t)count));
+    for (int i = 0; i < count; i++) {
+        const double s = rows->a[i];
+        if (!(s >= 0 && s <= length * (1 + 1e-12))) {
+            TRY(status_fail(ERR_INPUT,
+                            "section: the station at s = %g m lies outside the rod, 0 to %g m", s,
+                            length));
+        }
+        TRY(add_station(store, s, &axis, r));
+    }
+
+done:
+    return st;
+}
+
+static status own_stations(section_store *store, section_result *r)
+{
+    status st = OK;
+    axis_memory axis = {0};
+    const law_along *along = &r->along;
+    TRY(TAKE(r->station, (size_t)along->npanel * (size_t)along->nnode));
+    for (int k = 0; k < along->npanel; k++) {
+        // panels share their ends
+        for (int i = k > 0; i < along->nnode; i++) {
+            TRY(add_station(store, along->nnode > 1 ? law_along_node(along, k, i) : 0, &axis, r));
+        }
+    }
+
+done:
+    return st;
+}
+
+status section_along(const section_case *c, const material *materials, double length,
+                     section_result *out)
+{
+    status st = OK;
+    section_result r = {0};
+    section_store store = {.request = c, .materials = materials};
+    const shape_list shapes = {.count = c->shapes.count, .items = c->shapes.items};
+
+    TRY(shapes_vary(shapes) ? interpolate(&store, length, c->tolerance, &r.along)
+                            : one_station(&store, length, &r.along));
+    TRY(c->stations.nrow > 0 ? asked_stations(&store, &c->stations, length, &r)
+                             : own_stations(&store, &r));
+    r.nsolved = store.count;
+    r.meshed = store.meshed;
+    *out = r;
+    r = (section_result){0};
+
+done:
+    section_store_free(&store);
+    section_result_free(&r);
+    return st;
+}
+
+void section_result_free(section_result *r)
+{
+    free(r->station);
+    law_along_free(&r->along);
+    *r = (section_result){0};
+}

@@ -1,0 +1,141 @@
+// section/cholmod_door.c
+#include "section/cholmod_door.h"
+
+#include "base/memory.h"
+
+#include <cholmod.h>
+#include <string.h>
+
+struct cholesky {
+    cholmod_common common;
+    cholmod_factor *factor;
+};
+
+// Smallest over largest diagonal entry of the factor, squared: below it a pivot is the rounding of
+// a zero one (two parts hinged at a node: 4e-16). Moduli 1e6 apart give 3e-9, 1e10 apart 3e-13.
+static const double smallest_pivot = 1e-14;
+
+void sparse_lower_free(sparse_lower *a)
+{
+    free(a->start);
+    free(a->row);
+    free(a->value);
+    *a = (sparse_lower){0};
+}
+
+static status cholmod_fail(const cholmod_common *common, const char *call)
+{
+    switch (common->status) {
+    case CHOLMOD_OUT_OF_MEMORY:
+        return status_fail(ERR_RESOURCE, "CHOLMOD: out of memory in %s", call);
+    case CHOLMOD_TOO_LARGE:
+        return status_fail(ERR_RESOURCE, "CHOLMOD: the problem is too large in %s", call);
+    case CHOLMOD_NOT_POSDEF:
+        return status_fail(ERR_NUMERIC, "CHOLMOD: the matrix is not positive definite in %s", call);
+    default:
+        return status_fail(ERR_BUG, "CHOLMOD: status %d in %s", common->status, call);
+    }
+}
+
+static void quiet_start(cholmod_common *common)
+{
+    cholmod_start(common);
+    common->print = 0;
+    common->error_handler = NULL;
+}
+
+static cholmod_sparse view(const sparse_lower *a)
+{
+    return (cholmod_sparse){
+        .nrow = (size_t)a->n,
+        .ncol = (size_t)a->n,
+        .nzmax = (size_t)a->start[a->n],
+        .p = a->start,
+        .i = a->row,
+        .x = a->value,
+        .stype = -1,
+        .itype = CHOLMOD_INT,
+        .xtype = a->value ? CHOLMOD_REAL : CHOLMOD_PATTERN,
+        .dtype = CHOLMOD_DOUBLE,
+        .sorted = 1,
+        .packed = 1,
+    };
+}
+
+status cholesky_order(const sparse_lower *pattern, int *permutation)
+{
+    status st = OK;
+    cholmod_common common;
+    quiet_start(&common);
+    cholmod_sparse a = view(pattern);
+    if (!cholmod_amd(&a, NULL, 0, permutation, &common)) {
+        TRY(cholmod_fail(&common, "cholmod_amd"));
+    }
+
+done:
+    cholmod_finish(&common);
+    return st;
+}
+
+status cholesky_make(const sparse_lower *matrix, const int *permutation, cholesky **out)
+{
+    status st = OK;
+    cholesky *c = NULL;
+    cholmod_sparse a = view(matrix);
+    TRY(TAKE(c, 1));
+    quiet_start(&c->common);
+    c->common.final_ll = 1; // small ones too: L D L^T would pass over negative pivots
+    c->common.nmethods = 1;
+    c->common.method[0].ordering = CHOLMOD_GIVEN;
+
+    c->factor = cholmod_analyze_p(&a, (int *)permutation, NULL, 0, &c->common);
+    if (!c->factor) {
+        TRY(cholmod_fail(&c->common, "cholmod_analyze_p"));
+    }
+    if (!cholmod_factorize(&a, c->factor, &c->common) || c->common.status != CHOLMOD_OK) {
+        TRY(cholmod_fail(&c->common, "cholmod_factorize"));
+    }
+    if (!(cholmod_rcond(c->factor, &c->common) > smallest_pivot)) {
+        TRY(status_fail(ERR_NUMERIC, "CHOLMOD: the matrix is singular to rounding"));
+    }
+    *out = c;
+    c = NULL;
+
+done:
+    cholesky_free(c);
+    return st;
+}
+
+void cholesky_free(cholesky *c)
+{
+    if (c) {
+        cholmod_free_factor(&c->factor, &c->common);
+        cholmod_finish(&c->common);
+        free(c);
+    }
+}
+
+status cholesky_solve(cholesky *c, int nrhs, const double *b, double *x)
+{
+    status st = OK;
+    const size_t n = c->factor->n;
+    memmove(x, b, n * (size_t)nrhs * sizeof *x);
+    cholmod_dense right = {
+        .nrow = n,
+        .ncol = (size_t)nrhs,
+        .nzmax = n * (size_t)nrhs,
+        .d = n,
+        .x = x,
+        .xtype = CHOLMOD_REAL,
+        .dtype = CHOLMOD_DOUBLE,
+    };
+    cholmod_dense *answer = cholmod_solve(CHOLMOD_A, c->factor, &right, &c->common);
+    if (!answer) {
+        TRY(cholmod_fail(&c->common, "cholmod_solve"));
+    }
+    memcpy(x, answer->x, n * (size_t)nrhs * sizeof *x);
+
+done:
+    cholmod_free_dense(&answer, &c->common);
+    return st;
+}

@@ -1,0 +1,28 @@
+// section/cholmod_door.h
+// Sparse Cholesky factors. CHOLMOD and its types stay in cholmod_door.c.
+#pragma once
+
+#include "base/status.h"
+
+// The lower triangle of a symmetric matrix by columns, the diagonal first, rows ascending.
+typedef struct sparse_lower {
+    int n;
+    int *start;    // [n + 1]
+    int *row;      // [start[n]]
+    double *value; // [start[n]]; NULL for a pattern
+} sparse_lower;
+
+void sparse_lower_free(sparse_lower *a);
+
+typedef struct cholesky cholesky;
+
+// A fill-reducing order of the pattern: permutation[new] = old, [n].
+status cholesky_order(const sparse_lower *pattern, int *permutation);
+
+// Factors once, in the order given. ERR_NUMERIC where the matrix is not positive definite to
+// rounding.
+status cholesky_make(const sparse_lower *a, const int *permutation, cholesky **out);
+void cholesky_free(cholesky *c);
+
+// x = a^-1 b for nrhs columns, both [nrhs][n]; they may be the same array.
+status cholesky_solve(cholesky *c, int nrhs, const double *b, double *x);

@@ -1,0 +1,97 @@
+// section/section.h
+// A cross section's 6x6 stiffness and centres at one place, or along the rod. docs/theory.md,
+// sections 2 and 3.
+#pragma once
+
+#include "base/law_along.h"
+#include "base/material.h"
+#include "base/mesh.h"
+#include "meshes/mesher.h"
+#include "meshes/shape.h"
+
+typedef enum section_model { MODEL_FULL, MODEL_CLASSICAL } section_model;
+
+typedef struct section_case {
+    mark at;
+    int model;       // section_model
+    key_list shapes; // of shape_spec
+    mesh_options mesh;
+    key_rows stations; // arclengths that the user asks for, `stations_mm: [[...]]`; empty: chosen
+    double tolerance;  // of the interpolation along s, relative
+} section_case;
+
+extern const key_table section_keys; // `section`
+section_case section_case_default(void);
+
+// Resolves material names; ERR_INPUT "FILE-less" message: the caller puts file, line and column of
+// *where in front.
+status section_case_bind(section_case *c, const key_list *materials, mark *where);
+
+// --- one section
+// ---------------------------------------------------------------------------------------------------
+
+// Classical: E-weighted integrals over the mesh (2.2)-(2.5), no factorization. G (Ixx + Iyy) about
+// the stiffness centre for torsion, int G for both shears, as the paper has it.
+status section_classical_mesh(const mesh *m, const material *materials, beam_law *out);
+
+// Classical without a mesh: exact integrals over concentric annuli, sectors and discs laid on one
+// another. *done = false where the outlines are of another kind.
+status section_classical_closed(const section_outline *o, const material *materials, beam_law *out,
+                                bool *done);
+
+// Full: warping solved on the mesh, one factorization, twelve right-hand sides (3.1)-(3.6).
+typedef struct section_warping {
+    int nnode;
+    double *w;      // [6][nnode][3] warping for six unit end wrenches (n, m)
+    double *dw;     // [6][nnode][3] its derivative along z
+    mat6 psi, dpsi; // generalized strains: column j for unit wrench j
+} section_warping;
+
+// warping may be NULL. relative_error is not filled here: section_solve does it.
+status section_full_mesh(const mesh *m, const material *materials, beam_law *out,
+                         section_warping *warping);
+void section_warping_free(section_warping *w);
+
+// K at one place by the case's model, with its error estimate (full and meshed classical: lower
+// orders of the same mesh, extrapolated; closed form: rounding).
+status section_solve(const section_case *c, const material *materials, double s, beam_law *out);
+
+// The paper's closed forms for the two-material annulus, corrected Eq. 18 to 20 of the paper,
+// docs/theory.md (2.6).
+typedef struct annulus_two_materials {
+    double outer, inner, mid_angle, width; // stiff sector's full width [m, rad]
+    double E_soft, E_stiff;                // [Pa]
+} annulus_two_materials;
+typedef struct annulus_closed_form {
+    double EA, r_nc, EI_centre[2]; // r_nc signed along mid_angle; EI about the axis of symmetry and
+                                   // across it, at NC
+} annulus_closed_form;
+annulus_closed_form annulus_closed(const annulus_two_materials *a);
+
+// --- along the rod
+// -------------------------------------------------------------------------------------------------
+
+typedef struct section_station {
+    double s;     // [m]
+    beam_law law; // in the body frame at s
+    beam_centres centres;
+} section_station;
+
+typedef struct section_result {
+    int nstation;
+    section_station
+        *station;    // the user's stations, else the interpolation's own nodes in order of s
+    law_along along; // K(s) over [0, length]
+    int nsolved;     // sections really solved: turned copies reuse theirs
+    bool meshed;     // false: closed form, no mesh was made
+} section_result;
+
+// length: the rod's (or the segment's where there is no rod). Chooses stations by the decay of
+// Chebyshev coefficients to c->tolerance; one station where nothing varies; one solve where the
+// pattern only turns.
+status section_along(const section_case *c, const material *materials, double length,
+                     section_result *out);
+void section_result_free(section_result *r);
+
+// The mesh at arclength s, for pictures and the segment.
+status section_mesh_at(const section_case *c, double s, mesh *out);

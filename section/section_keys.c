@@ -1,0 +1,114 @@
+// section/section_keys.c
+#include "section/section.h"
+
+#include <stdio.h>
+#include <string.h>
+
+enum { MOST_STATIONS = 1000, MOST_SHAPES = 500 };
+
+#define DEFAULT_TOLERANCE 1e-10
+
+static const key keys[] = {
+    {.name = "model",
+     .kind = KEY_CHOICE,
+     .choices = "full|classical",
+     .initial = "full",
+     .offset = offsetof(section_case, model),
+     .about =
+         "full: with warping, any shape; classical: E- and G-weighted integrals, Eq. 11 and 12 "
+         "of the paper"},
+    {.name = "shapes",
+     .kind = KEY_LIST,
+     .required = true,
+     .max_count = MOST_SHAPES,
+     .offset = offsetof(section_case, shapes),
+     .table = &shape_keys,
+     .about = "what the section is made of; a later shape lies on top of the earlier ones"},
+    {.name = "mesh",
+     .kind = KEY_TABLE,
+     .offset = offsetof(section_case, mesh),
+     .table = &mesh_keys,
+     .about = "how the section is divided into elements"},
+    {.name = "stations",
+     .kind = KEY_ROWS,
+     .dimension = DIM_LENGTH,
+     .max_count = MOST_STATIONS,
+     .offset = offsetof(section_case, stations),
+     .about = "arclengths to report, [0, 60, 120]; without them they are chosen by how the section "
+              "varies"},
+    {.name = "tolerance",
+     .kind = KEY_REAL,
+     .min = 1e-14,
+     .max = 1e-2,
+     .initial = "1e-10",
+     .offset = offsetof(section_case, tolerance),
+     .about =
+         "relative error of the stiffness between the stations along the rod, and no less than "
+         "the error of the sections themselves"},
+};
+
+static const section_case initial = {
+    .model = MODEL_FULL,
+    .mesh = {.kind = MESH_AUTO, .order = 4},
+    .tolerance = DEFAULT_TOLERANCE, // rods then are good to 1e-11 m
+};
+
+const key_table section_keys = {
+    .name = "section",
+    .size = sizeof(section_case),
+    .nkey = sizeof keys / sizeof *keys,
+    .keys = keys,
+    .initial = &initial,
+    .about = "the cross section",
+};
+
+section_case section_case_default(void)
+{
+    section_case c = initial;
+    c.mesh = mesh_options_default();
+    return c;
+}
+
+// --- materials by name
+
+static int find_material(const key_list *materials, const char *name)
+{
+    const material *m = materials->items;
+    for (int i = 0; i < materials->count; i++) {
+        if (strcmp(m[i].name, name) == 0) {
+            return i;
+        }
+    }
+    return -1;
+}
+
+static status unknown_material(const key_list *materials, const char *name)
+{
+    char known[200] = "";
+    size_t used = 0;
+    const material *m = materials->items;
+    for (int i = 0; i < materials->count && used < sizeof known; i++) {
+        const int n = snprintf(known + used, sizeof known - used, "%s%s", i ? ", " : "", m[i].name);
+        used += n > 0 ? (size_t)n : 0;
+    }
+    return status_fail(ERR_INPUT, "material '%s' is not defined; the case has: %s%s", name, known,
+                       used < sizeof known ? "" : "...");
+}
+
+status section_case_bind(section_case *c, const key_list *materials, mark *where)
+{
+    shape_spec *shapes = c->shapes.items;
+    bool any = false;
+    for (int i = 0; i < c->shapes.count; i++) {
+        const char *name = shapes[i].material.text ? shapes[i].material.text : "";
+        *where = shapes[i].material.at;
+        const bool cuts = strcmp(name, "none") == 0;
+        shapes[i].material_index = cuts ? -1 : find_material(materials, name);
+        if (!cuts && shapes[i].material_index < 0) {
+            return unknown_material(materials, name);
+        }
+        any = any || !cuts;
+    }
+    *where = c->shapes.at;
+    return any ? OK : status_fail(ERR_INPUT, "no shape of the section has a material");
+}

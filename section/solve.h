@@ -1,0 +1,14 @@
+// section/solve.h
+// One section from its outlines, with its error estimate. section_solve and section_along meet
+// here.
+#pragma once
+
+#include "section/section.h"
+
+// *meshed: whether a mesh was made; false for closed forms.
+status section_solve_outline(const section_case *c, const material *materials,
+                             const section_outline *o, beam_law *out, bool *meshed);
+
+// What a mesh of order p leaves behind, from the differences d1 = |K_p - K_(p-1)| and d2 = |K_(p-1)
+// - K_(p-2)|; d2 = 0 where p = 2. docs/theory.md (3.8)
+double section_error_left(int p, double d1, double d2);

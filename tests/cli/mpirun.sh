@@ -1,0 +1,46 @@
+#!/bin/sh
+# Under mpirun one process speaks, and the numbers are those of one process alone.
+set -u
+. "$STIFFAXIS_SOURCE/tests/cli/helpers"
+command -v mpirun >/dev/null && command -v python3 >/dev/null || exit 0
+case=$source/cases/fig4.yaml
+root=
+[ "$(id -u)" -ne 0 ] || root=--allow-run-as-root
+
+expect 0 "$program" fem "$case" --json
+cp "$work/out" "$work/one.json"
+expect 0 mpirun $root --oversubscribe -n 2 "$program" fem "$case" --json
+valid_json "$work/out"
+python3 - "$work/one.json" "$work/out" <<'END' || fail 'two processes find other numbers'
+import json, sys
+one, two = (json.load(open(name)) for name in sys.argv[1:])
+def numbers(x):
+    if isinstance(x, dict):
+        for key in sorted(x):
+            yield from numbers(x[key])
+    elif isinstance(x, list):
+        for item in x:
+            yield from numbers(item)
+    elif isinstance(x, (int, float)):
+        yield x
+def flat(rows):
+    return [list(numbers(row)) for row in rows]
+# relative to the largest entry of the same matrix or vector: the small ones are rounding
+def compare(a, b, scale):
+    assert len(a) == len(b) and all(abs(x - y) <= 1e-10 * scale for x, y in zip(a, b)), (a, b)
+assert one["dofs"] == two["dofs"]
+for i in range(6):
+    for j in range(6):
+        scale = (one["K"][i][i] * one["K"][j][j]) ** 0.5
+        compare([one["K"][i][j]], [two["K"][i][j]], scale)
+compare(one["stiffness_centre_m"], two["stiffness_centre_m"], 4e-3)
+gc = one["loads"][0]
+for a, b in zip(one["loads"], two["loads"]):
+    for key in ("shortening_m", "tip_rotation_rad", "mid_curvature_per_m", "strain_energy_J"):
+        compare(list(numbers(a[key])), list(numbers(b[key])), max(map(abs, numbers(gc[key]))))
+END
+# also with --out: one process writes
+expect 0 mpirun $root --oversubscribe -n 2 "$program" fem "$case" --out "$work/two"
+[ -s "$work/two/result.hdf" ] || fail 'nothing was written'
+[ "$(grep -c 'centre found' "$work/out")" -eq 1 ] || fail 'more than one process speaks'
+finish

@@ -1,0 +1,54 @@
+#!/bin/sh
+# --out writes whole or not at all; --force replaces only what this program wrote; report recomputes nothing.
+set -u
+. "$STIFFAXIS_SOURCE/tests/cli/helpers"
+case=$source/cases/helical_nc.yaml
+dir=$work/results/helical
+
+expect 0 "$program" run "$case" --out "$dir"
+for file in result.hdf report.html case.yaml section.svg section.png rods.svg rods.png sections.csv rods.csv \
+    shapes.csv compare.csv; do
+    [ -s "$dir/$file" ] || fail "$file is missing or empty"
+done
+cmp -s "$case" "$dir/case.yaml" || fail 'case.yaml is not the case'
+
+# an existing directory stays, unless --force, and unless somebody else wrote it
+expect 2 "$program" run "$case" --out "$dir"
+err '--force'
+one_line
+echo stale >"$dir/stale"
+expect 0 "$program" run "$case" --out "$dir" --force
+[ ! -e "$dir/stale" ] || fail '--force left an old file behind'
+mkdir "$work/mine"
+echo keep >"$work/mine/file"
+expect 2 "$program" run "$case" --out "$work/mine" --force
+[ "$(cat "$work/mine/file")" = keep ] || fail 'a foreign directory was touched'
+
+# a failure, or Ctrl-C, leaves nothing
+expect 4 "$program" run "$source/cases/homogeneous_tube.yaml" --set 'rod.tensions_N=[[4.1]]' --out "$work/failed"
+[ ! -e "$work/failed" ] || fail 'a failed run left a directory'
+if command -v timeout >/dev/null; then
+    expect 130 timeout --preserve-status -s INT 1 "$program" run "$source/cases/fig4.yaml" --set fem.order=4 \
+        --set fem.layers=150 --set fem.size_mm=0.3 --out "$work/interrupted"
+fi
+[ -z "$(find "$work" -name '*.tmp-*' -o -name interrupted)" ] || fail 'something half-written was left behind'
+
+# the page from the stored result alone: the same figures, byte for byte, and no case needed
+cp "$dir/result.hdf" "$work/alone.hdf"
+expect 0 "$program" report "$work/alone.hdf" --out "$work/again"
+for figure in section rods curvature; do
+    cmp -s "$dir/$figure.svg" "$work/again/$figure.svg" || fail "$figure.svg differs when drawn again"
+done
+expect 0 "$program" report "$dir"
+[ -s "$dir/result-report/report.html" ] || fail 'report without --out wrote nothing'
+
+# other commands keep their results too
+expect 0 "$program" section "$case" --out "$work/section"
+[ -s "$work/section/sections.csv" ] || fail 'section --out wrote no table'
+expect 0 "$program" schema --out "$work/schema"
+valid_json "$work/schema/stiffaxis.schema.json"
+
+# --set is told in the case that is kept
+expect 0 "$program" section "$case" --set section.model=full --out "$work/set"
+grep -qxF '# --set section.model=full' "$work/set/case.yaml" || fail 'the override is not kept'
+finish

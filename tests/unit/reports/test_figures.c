@@ -1,0 +1,125 @@
+// tests/unit/reports/test_figures.c
+#include "reports/figures.h"
+#include "tests/test.h"
+#include "tests/unit/reports/files.h"
+#include "tests/unit/reports/synthetic.h"
+
+static const char *const names[] = {"section", "segment", "rods", "curvature"};
+
+// the first bytes of a PNG and the size in its header: two pixels to the point
+static void check_png(const char *dir, const char *name)
+{
+    char file[64];
+    size_t length = 0;
+    (void)snprintf(file, sizeof file, "%s.png", name);
+    char *png = whole_file(dir, file, &length);
+    CHECK(png && length > 10000 && memcmp(png, "\x89PNG\r\n\x1a\n", 8) == 0);
+    if (png && length > 24) {
+        const unsigned char *h = (const unsigned char *)png + 16;
+        const int width = h[0] << 24 | h[1] << 16 | h[2] << 8 | h[3];
+        CHECK(width >= 1800 && width <= 3000);
+    }
+    free(png);
+}
+
+static void check_svg(const char *dir, const char *name)
+{
+    char file[64], start[80];
+    size_t length = 0;
+    (void)snprintf(file, sizeof file, "%s.svg", name);
+    char *svg = whole_file(dir, file, &length);
+    CHECK(svg && length > 10000 && length < 2000000);
+    if (svg) {
+        CHECK(well_formed(svg));
+        CHECK(ids_are_unique(svg));
+        CHECK(count_of(svg, "<title>") == 1);
+        // every id is this picture's own, so that pictures live together in one page
+        (void)snprintf(start, sizeof start, " id=\"%s-", name);
+        CHECK(count_of(svg, " id=\"") > 0 && count_of(svg, " id=\"") == count_of(svg, start));
+        (void)snprintf(start, sizeof start, "href=\"#%s-", name);
+        CHECK(count_of(svg, "href=\"#") > 0 && count_of(svg, "href=\"#") == count_of(svg, start));
+        CHECK(count_of(svg, "nan") == 0 && count_of(svg, "inf ") == 0);
+    }
+    free(svg);
+}
+
+static void every_figure_is_written_twice_alike(double turns, int nsolution)
+{
+    run_result r = {0};
+    char first[64], second[64];
+    scratch_make(first);
+    scratch_make(second);
+    CHECK_OK(synthetic_make(nsolution, turns, -0.5, &r));
+    CHECK_OK(figures_all(&r, first));
+    CHECK_OK(figures_all(&r, second));
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+        char file[64];
+        check_svg(first, names[i]);
+        check_png(first, names[i]);
+        (void)snprintf(file, sizeof file, "%s.svg", names[i]);
+        CHECK(same_file(first, second, file));
+        (void)snprintf(file, sizeof file, "%s.png", names[i]);
+        CHECK(same_file(first, second, file));
+    }
+    scratch_free(first);
+    scratch_free(second);
+    synthetic_free(&r);
+}
+
+static void parts_that_are_not_there_make_no_picture(void)
+{
+    const run_result nothing = {0};
+    char dir[64];
+    size_t length = 0;
+    scratch_make(dir);
+    CHECK_OK(figures_all(&nothing, dir));
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+        char file[64];
+        (void)snprintf(file, sizeof file, "%s.svg", names[i]);
+        CHECK(whole_file(dir, file, &length) == NULL);
+    }
+    scratch_free(dir);
+}
+
+// rods without a bend, a homogeneous section, bytes that are no text, more solutions than a legend holds
+static void odd_results_are_drawn(void)
+{
+    run_result r = {0};
+    char dir[64];
+    scratch_make(dir);
+    CHECK_OK(synthetic_make(40, 0.3, -1e-4, &r));
+    (void)snprintf(r.title, sizeof r.title, "\xff\xfe caf\xc3\xa9 \x1b[31m %s", "long long long long long long long title");
+    (void)snprintf(r.rod.tendon_name[1], sizeof r.rod.tendon_name[1], "cut \xc3");
+    r.section.station[0].centres.isotropic = true;
+    r.section.nstation = 1;
+    for (int k = 0; k < r.rod.npoint; k++) {
+        r.rod.run[0].shape[k] = (pose){mat3_identity(), {{0, 0, r.rod.run[0].s[k]}}};
+    }
+    r.rod.run[0].tension[0] = 0;
+    CHECK_OK(figures_all(&r, dir));
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+        check_svg(dir, names[i]);
+    }
+    scratch_free(dir);
+    synthetic_free(&r);
+}
+
+static void a_picture_that_cannot_be_written_says_so(void)
+{
+    run_result r = {0};
+    CHECK_OK(synthetic_make(2, 1, -0.5, &r));
+    CHECK(figure_rods(&r, "/nonexistent/directory") == ERR_RESOURCE);
+    CHECK(strstr(status_message(), "rods.svg") != NULL);
+    status_clear();
+    synthetic_free(&r);
+}
+
+int main(void)
+{
+    every_figure_is_written_twice_alike(0, 6);
+    every_figure_is_written_twice_alike(1, 5);
+    parts_that_are_not_there_make_no_picture();
+    odd_results_are_drawn();
+    a_picture_that_cannot_be_written_says_so();
+    return test_failures != 0;
+}

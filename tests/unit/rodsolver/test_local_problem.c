@@ -1,0 +1,169 @@
+// tests/unit/rodsolver/test_local_problem.c
+#include "rodsolver/local_problem.h"
+#include "tests/unit/rodsolver/prototypes.h"
+
+static double uniform(unsigned *state)
+{
+    // a linear congruence: the same numbers on every machine
+    *state = *state * 1664525u + 1013904223u;
+    return (*state >> 8) / 16777216.0;
+}
+
+// stiffness of a stiff-sector section about an arbitrary axis, and tendons anywhere in the wall
+static void random_problem(unsigned *state, int ntendon, mat6 *K, local_problem *p)
+{
+    const prototype tube = constant_nc();
+    *K = beam_law_move(prototype_stiffness(&tube, 0.2 + uniform(state)), 0, 0, 7 * uniform(state));
+    *p = (local_problem){.K = K, .rest = {{0, 0, 1, 0, 0, 0}}, .ntendon = ntendon};
+    for (int i = 0; i < ntendon; i++) {
+        const double angle = 7 * uniform(state);
+        p->place[i] = (tendon_place){3.6e-3 * cos(angle), 3.6e-3 * sin(angle),
+                                     0.4 * (uniform(state) - 0.5), 0.4 * (uniform(state) - 0.5)};
+        p->tension[i] = uniform(state);
+    }
+}
+
+// the balance K (xi - xi*) + sum tau (t, r x t) = 0, written out by vector products; relative to
+// the tensions
+static double imbalance(const local_problem *p, vec6 xi)
+{
+    vec6 sum = mat6_mul_vec(*p->K, vec6_sub(xi, p->rest));
+    double scale = 0;
+    const vec3 v = {{xi.a[0], xi.a[1], xi.a[2]}}, w = {{xi.a[3], xi.a[4], xi.a[5]}};
+    for (int i = 0; i < p->ntendon; i++) {
+        const tendon_place *q = &p->place[i];
+        const vec3 r = {{q->x, q->y, 0}}, slope = {{q->dx, q->dy, 0}};
+        const vec3 d = vec3_add(vec3_add(v, vec3_cross(w, r)), slope);
+        const vec3 force = vec3_scale(p->tension[i] / vec3_norm(d), d);
+        const vec3 moment = vec3_cross(r, force);
+        for (int c = 0; c < 3; c++) {
+            sum.a[c] += force.a[c];
+            sum.a[c + 3] += moment.a[c];
+        }
+        scale += p->tension[i];
+    }
+    double worst = 0;
+    for (int c = 0; c < 6; c++) {
+        worst = fmax(worst, fabs(sum.a[c]) / (scale * (c < 3 ? 1 : 4e-3)));
+    }
+    return worst;
+}
+
+static void newton_balances_the_wrenches(void)
+{
+    unsigned state = 7;
+    for (int k = 0; k < 300; k++) {
+        mat6 K;
+        local_problem p;
+        random_problem(&state, 1 + k % 4, &K, &p);
+        vec6 xi = p.rest;
+        int steps = 0, which = 0;
+        CHECK(local_solve(&p, &xi, &steps, &which) == LOCAL_SOLVED);
+        CHECK(imbalance(&p, xi) < 1e-12);
+        CHECK(imbalance(&p, p.rest) > 1e-3); // the test can tell
+        CHECK(steps < 20);
+    }
+}
+
+// convex: from wherever it starts, the same strain
+static void newton_finds_the_same_minimum_from_anywhere(void)
+{
+    unsigned state = 11;
+    for (int k = 0; k < 100; k++) {
+        mat6 K;
+        local_problem p;
+        random_problem(&state, 3, &K, &p);
+        vec6 wanted = p.rest;
+        int steps = 0, which = 0;
+        CHECK(local_solve(&p, &wanted, &steps, &which) == LOCAL_SOLVED);
+        vec6 xi = p.rest;
+        for (int c = 0; c < 6; c++) {
+            xi.a[c] += (uniform(&state) - 0.5) * (c < 3 ? 1.5 : 300);
+        }
+        CHECK(local_solve(&p, &xi, &steps, &which) == LOCAL_SOLVED);
+        for (int c = 0; c < 6; c++) {
+            CHECK_WITHIN(xi.a[c], wanted.a[c], 1e-11 * (c < 3 ? 1 : 300));
+        }
+    }
+}
+
+// two ways to the same strain: the secular equation in M's axes and Newton in six unknowns
+static void secular_equation_agrees_with_newton(void)
+{
+    unsigned state = 3;
+    for (int k = 0; k < 200; k++) {
+        mat6 K;
+        local_problem p;
+        secular_station s;
+        random_problem(&state, 1, &K, &p);
+        CHECK_OK(secular_prepare(&K, &p.rest, &p.place[0], &s));
+        // up to 99 % of what this tendon can pull
+        const double tau = p.tension[0] = 0.99 * uniform(&state) * secular_critical(&s);
+        double m[3][SECULAR_LANES], b[3][SECULAR_LANES], y[3][SECULAR_LANES];
+        for (int j = 0; j < 3; j++) {
+            for (int i = 0; i < SECULAR_LANES; i++) {
+                m[j][i] = s.m[j];
+                b[j][i] = s.b[j];
+            }
+        }
+        CHECK(secular_solve(tau, (const double(*)[SECULAR_LANES])m,
+                            (const double(*)[SECULAR_LANES])b, y) > 0);
+        CHECK_NEAR(hypot(hypot(y[0][5], y[1][5]), y[2][5]), 1, 1e-14);
+        vec6 xi = p.rest, newton = p.rest;
+        for (int c = 0; c < 6; c++) {
+            for (int j = 0; j < 3; j++) {
+                xi.a[c] -= tau * s.G[c][j] * y[j][0];
+            }
+        }
+        CHECK(imbalance(&p, xi) < 1e-12);
+        int steps = 0, which = 0;
+        CHECK(local_solve(&p, &newton, &steps, &which) == LOCAL_SOLVED);
+        for (int c = 0; c < 6; c++) {
+            CHECK_WITHIN(newton.a[c], xi.a[c], 1e-11 * (c < 3 ? 1 : 300));
+        }
+    }
+}
+
+// one straight tendon on a homogeneous section: tau = 1 / (1/EA + r^2/EI)
+static void critical_tension_has_its_closed_form(void)
+{
+    const prototype tube = homogeneous_tube();
+    const prototype_section q = prototype_integrals(&tube, 0);
+    const mat6 K = prototype_stiffness(&tube, 0);
+    const vec6 rest = {{0, 0, 1, 0, 0, 0}};
+    const tendon_place place = {3.6e-3, 0, 0, 0};
+    secular_station s;
+    CHECK_OK(secular_prepare(&K, &rest, &place, &s));
+    const double wanted = 1 / (1 / q.EA + 3.6e-3 * 3.6e-3 / q.EIx);
+    CHECK_NEAR(secular_critical(&s), wanted, 1e-13);
+    CHECK_NEAR(wanted, 4.01, 1e-3);
+}
+
+// past the critical tension the minimum sits at the kink |d| = 0: Newton must say so and not find a
+// root behind it
+static void newton_sees_a_tendon_that_is_eaten(void)
+{
+    unsigned state = 5;
+    for (int k = 0; k < 100; k++) {
+        mat6 K;
+        local_problem p;
+        secular_station s;
+        random_problem(&state, 1, &K, &p);
+        CHECK_OK(secular_prepare(&K, &p.rest, &p.place[0], &s));
+        int steps = 0, which = -1;
+        vec6 xi = p.rest;
+        p.tension[0] = secular_critical(&s) * (1.01 + uniform(&state));
+        CHECK(local_solve(&p, &xi, &steps, &which) == LOCAL_EATEN);
+        CHECK(which == 0);
+    }
+}
+
+int main(void)
+{
+    newton_balances_the_wrenches();
+    newton_finds_the_same_minimum_from_anywhere();
+    secular_equation_agrees_with_newton();
+    critical_tension_has_its_closed_form();
+    newton_sees_a_tendon_that_is_eaten();
+    return test_failures != 0;
+}

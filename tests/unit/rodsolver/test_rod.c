@@ -1,0 +1,342 @@
+// tests/unit/rodsolver/test_rod.c
+#include "tests/unit/rodsolver/prototypes.h"
+
+#include <string.h>
+
+static double uniform(unsigned *state)
+{
+    *state = *state * 1664525u + 1013904223u;
+    return (*state >> 8) / 16777216.0;
+}
+
+static void unloaded_rod_is_straight(int frame)
+{
+    const prototype p = helical_nc();
+    law_along law = {0};
+    prototype_law(&p, &law);
+    const tendon_spec t = straight_tendon("a", 3.6e-3, 1);
+    double none = 0, length = 0;
+    rod_solution out = {.tendon_length = &length};
+    rod *r =
+        solved_rod(&law, 1, &t, (rod_options){.frame = frame, .tolerance = 1e-12}, &none, &out);
+    CHECK_WITHIN(distance(out.tip.p, (vec3){{0, 0, p.length}}), 0, 1e-12 * p.length);
+    CHECK_WITHIN(rotation_difference(out.tip.R, mat3_identity()), 0, 1e-11);
+    CHECK_NEAR(length, p.length, 1e-14);
+    rod_free(r);
+    law_along_free(&law);
+}
+
+// homogeneous tube: eps = -tau / EA, kappa = tau r / EI, an arc of a circle of length (1 + eps) L
+static void homogeneous_tube_bends_into_a_circle(void)
+{
+    const prototype p = homogeneous_tube();
+    const prototype_section q = prototype_integrals(&p, 0);
+    law_along law = {0};
+    prototype_law(&p, &law);
+    const tendon_spec t = straight_tendon("a", 3.6e-3, 0);
+    const double tau = 0.7, L = p.length;
+    const double eps = -tau / q.EA, kappa = tau * 3.6e-3 / q.EIy;
+    double length = 0;
+    rod_solution out = {.tendon_length = &length};
+    rod *r = solved_rod(&law, 1, &t, (rod_options){.tolerance = 1e-9}, &tau, &out);
+    CHECK_WITHIN(out.tip.p.a[0], (1 + eps) / kappa * (1 - cos(kappa * L)), 1e-15);
+    CHECK_WITHIN(out.tip.p.a[2], (1 + eps) / kappa * sin(kappa * L), 1e-15);
+    CHECK_NEAR(length, L * (1 + eps - kappa * 3.6e-3), 1e-13);
+    CHECK_NEAR(out.max_strain.a[4], kappa, 1e-13);
+    CHECK_NEAR(out.max_strain.a[2], -eps, 1e-13);
+    CHECK(out.relative_error < 1e-14);
+    rod_free(r);
+    law_along_free(&law);
+}
+
+// a tendon that ends at a third of the rod: bent so far, straight beyond
+static void beyond_its_end_a_tendon_does_nothing(void)
+{
+    const prototype p = homogeneous_tube();
+    law_along law = {0};
+    prototype_law(&p, &law);
+    tendon_spec t[2] = {straight_tendon("short", 3.6e-3, 0),
+                        straight_tendon("long", 3.6e-3, PROTOTYPE_PI)};
+    t[0].end = 0.04;
+    const double tau[2] = {0.7, 0};
+    double s[4];
+    pose shape[4];
+    vec6 xi;
+    rod_solution out = {0};
+    rod *r = solved_rod(&law, 2, t, (rod_options){.tolerance = 1e-9}, tau, &out);
+    CHECK_OK(rod_shape(r, 4, s, shape));
+    CHECK_WITHIN(rotation_difference(shape[1].R, shape[3].R), 0, 1e-14);
+    CHECK_NEAR(distance(shape[1].p, shape[3].p), 0.08, 1e-13);
+    CHECK(rotation_difference(shape[0].R, shape[1].R) > 0.1);
+    CHECK_OK(rod_strain_at(r, 0.041, &xi));
+    CHECK_WITHIN(xi.a[4], 0, 1e-12);
+    CHECK_OK(rod_strain_at(r, 0.039, &xi));
+    CHECK_NEAR(xi.a[4], out.max_strain.a[4], 1e-10);
+    // both pull: antagonists cancel up to the end, and the long one bends the rest
+    const double both[2] = {0.7, 0.7};
+    CHECK_OK(rod_solve(r, both, &out));
+    CHECK_OK(rod_shape(r, 4, s, shape));
+    CHECK_WITHIN(rotation_difference(shape[1].R, mat3_identity()), 0, 1e-13);
+    CHECK(rotation_difference(shape[3].R, mat3_identity()) > 0.1);
+    rod_free(r);
+    law_along_free(&law);
+}
+
+// the shape between panel edges: its first and last points, its tangents, and a rod that is cut
+// there
+static void shape_is_as_good_as_the_tip(int frame)
+{
+    enum { POINTS = 31 };
+    const prototype p = helical_nc();
+    law_along law = {0};
+    prototype_law(&p, &law);
+    const tendon_spec t = straight_tendon("a", 3.6e-3, PROTOTYPE_PI / 2);
+    const double tau = 0.98;
+    rod_solution out = {0}, fine = {0};
+    rod *r = solved_rod(&law, 1, &t, (rod_options){.frame = frame, .tolerance = 1e-9}, &tau, &out);
+    rod *f = solved_rod(&law, 1, &t, (rod_options){.frame = frame, .npanel = 240}, &tau, &fine);
+    double s[POINTS];
+    pose shape[POINTS], wanted[POINTS];
+    CHECK_OK(rod_shape(r, POINTS, s, shape));
+    CHECK_OK(rod_shape(f, POINTS, s, wanted));
+    CHECK_WITHIN(distance(shape[0].p, (vec3){{0}}), 0, 1e-16);
+    CHECK_WITHIN(distance(shape[POINTS - 1].p, out.tip.p), 0, 1e-15);
+    CHECK(s[POINTS - 1] == p.length);
+    for (int i = 0; i < POINTS; i++) {
+        CHECK_WITHIN(distance(shape[i].p, wanted[i].p), 0, 1e-9 * p.length);
+        CHECK_WITHIN(rotation_difference(shape[i].R, wanted[i].R), 0, 1e-8);
+    }
+    // half of the rod is a rod of its own: the middle from cutting the law there
+    CHECK_WITHIN(shape[15].p.a[0], -0.02418314919928287, 1e-9);
+    CHECK_WITHIN(shape[15].p.a[1], 0.03415454744841623, 1e-9);
+    CHECK_WITHIN(shape[15].p.a[2], 0.032364148805866605, 1e-9);
+    rod_free(r);
+    rod_free(f);
+    law_along_free(&law);
+}
+
+// the strain at s against the shape's own derivative there, body frame: v = R^T p'
+static void strain_is_the_derivative_of_the_shape(int frame)
+{
+    enum { POINTS = 601 };
+    const prototype p = helical_nc();
+    law_along law = {0};
+    prototype_law(&p, &law);
+    const tendon_spec t[2] = {straight_tendon("a", 3.6e-3, PROTOTYPE_PI / 2),
+                              straight_tendon("b", 3.6e-3, 0.3)};
+    const double tau[2] = {0.98, 0.2};
+    rod_solution out = {0};
+    rod *r = solved_rod(&law, 2, t, (rod_options){.frame = frame, .npanel = 64}, tau, &out);
+    static double s[POINTS];
+    static pose g[POINTS];
+    CHECK_OK(rod_shape(r, POINTS, s, g));
+    for (int i = 50; i < POINTS - 1; i += 100) {
+        vec6 xi;
+        CHECK_OK(rod_strain_at(r, s[i], &xi));
+        const double h = s[i + 1] - s[i - 1];
+        // central differences of order 2 with a step of 0.2 mm: about 1e-4 of the strain's scale
+        const vec3 v = mat3_tmul_vec(g[i].R, vec3_scale(1 / h, vec3_sub(g[i + 1].p, g[i - 1].p)));
+        const vec3 w = vec3_scale(1 / h, so3_log(mat3_mul(mat3_transpose(g[i - 1].R), g[i + 1].R)));
+        for (int c = 0; c < 3; c++) {
+            CHECK_WITHIN(v.a[c], xi.a[c], 1e-4);
+            CHECK_WITHIN(w.a[c], xi.a[c + 3], 0.02);
+        }
+    }
+    rod_free(r);
+    law_along_free(&law);
+}
+
+static void impossible_tensions_are_refused(void)
+{
+    const prototype p = homogeneous_tube();
+    const prototype_section q = prototype_integrals(&p, 0);
+    law_along law = {0};
+    prototype_law(&p, &law);
+    const tendon_spec t[2] = {straight_tendon("left", 3.6e-3, 0),
+                              straight_tendon("right", 3.6e-3, PROTOTYPE_PI)};
+    rod *r = NULL;
+    rod_solution out = {0};
+    CHECK_OK(rod_make(&law, 2, t, &(rod_options){.tolerance = 1e-9}, &r));
+    const double critical = 1 / (1 / q.EA + 3.6e-3 * 3.6e-3 / q.EIx);
+    CHECK_NEAR(rod_critical_tension(r, 1, NULL), critical, 1e-12);
+
+    const double below[2] = {0, critical * (1 - 1e-6)}, above[2] = {0, critical * (1 + 1e-6)};
+    const double negative[2] = {0.1, -0.1}, infinite[2] = {INFINITY, 0};
+    const double both[2] = {critical * 0.9, 2 * critical};
+    CHECK_OK(rod_solve(r, below, &out));
+    CHECK(rod_solve(r, above, &out) == ERR_NUMERIC);
+    CHECK(strstr(status_message(), "'right' has eaten its own length") != NULL);
+    status_clear();
+    CHECK(rod_solve(r, both, &out) == ERR_NUMERIC);
+    CHECK(strstr(status_message(), "eaten") != NULL);
+    status_clear();
+    CHECK(rod_solve(r, negative, &out) == ERR_INPUT);
+    status_clear();
+    CHECK(rod_solve(r, infinite, &out) == ERR_INPUT);
+    status_clear();
+    double s[2];
+    pose g[2];
+    CHECK(rod_shape(r, 2, s, g) == ERR_BUG); // nothing solved to show
+    status_clear();
+    rod_free(r);
+    law_along_free(&law);
+}
+
+static void bad_rods_are_refused(void)
+{
+    const prototype p = homogeneous_tube();
+    law_along law = {0};
+    prototype_law(&p, &law);
+    tendon_spec t = straight_tendon("a", 3.6e-3, 0);
+    rod *r = NULL;
+    t.end = 0.121;
+    CHECK(rod_make(&law, 1, &t, &(rod_options){.tolerance = 1e-9}, &r) == ERR_INPUT);
+    status_clear();
+    t.end = 0;
+    CHECK(rod_make(&law, 1, &t, &(rod_options){.tolerance = 1e-17}, &r) == ERR_INPUT);
+    status_clear();
+    CHECK(rod_make(&law, ROD_MAX_TENDONS + 1, &t, &(rod_options){.tolerance = 1e-9}, &r) ==
+          ERR_INPUT);
+    status_clear();
+    t.x = field_constant(NAN);
+    CHECK(rod_make(&law, 1, &t, &(rod_options){.tolerance = 1e-9}, &r) == ERR_INPUT);
+    status_clear();
+    law.law[0].K = mat6_scale(-1, law.law[0].K);
+    CHECK(rod_make(&law, 0, NULL, &(rod_options){.tolerance = 1e-9}, &r) == ERR_NUMERIC);
+    status_clear();
+    CHECK(r == NULL);
+    law_along_free(&law);
+}
+
+static double wave(const void *expression, double s)
+{
+    return *(const double *)expression * s + 0.3 * sin(90 * s);
+}
+
+// the share of `direction` that can just be pulled, by bisection on the refusal
+static double limit_along(rod *r, int n, const double *direction)
+{
+    double low = 0, high = 50, tension[4];
+    rod_solution out = {0};
+    for (int k = 0; k < 40; k++) {
+        const double middle = (low + high) / 2;
+        for (int i = 0; i < n; i++) {
+            tension[i] = middle * direction[i];
+        }
+        if (rod_solve(r, tension, &out) == OK) {
+            low = middle;
+        } else {
+            high = middle;
+        }
+        status_clear();
+    }
+    return low;
+}
+
+// four tendons of any routing, random tensions: up to 95 % of what can be pulled in that direction
+// all converge within the tolerance, and the limit is a refusal that names a tendon
+static void random_tensions_converge_up_to_the_limit(void)
+{
+    const prototype p = helical_nc();
+    const double rate[2] = {20, -35};
+    law_along law = {0};
+    prototype_law(&p, &law);
+    tendon_spec t[4] = {straight_tendon("a", 3.6e-3, 0), straight_tendon("b", 3.6e-3, 2),
+                        straight_tendon("c", 3.6e-3, 0), straight_tendon("d", 3.6e-3, 0)};
+    t[1].end = 0.07;
+    t[2].angle = (field){.at = wave, .expression = &rate[0]};
+    t[3].angle = (field){.at = wave, .expression = &rate[1]};
+    rod *r = NULL;
+    unsigned state = 1;
+    CHECK_OK(rod_make(&law, 4, t, &(rod_options){.tolerance = 1e-6}, &r));
+    for (int k = 0; k < 12; k++) {
+        double direction[4], tension[4];
+        rod_solution out = {0};
+        for (int i = 0; i < 4; i++) {
+            direction[i] = uniform(&state) < 0.3 ? 0 : uniform(&state);
+        }
+        direction[k % 4] = 1;
+        const double limit = limit_along(r, 4, direction);
+        CHECK(limit > 0.5 && limit < 49);
+        for (int j = 1; j <= 4; j++) {
+            for (int i = 0; i < 4; i++) {
+                tension[i] = (j < 4 ? 0.3 * j + 0.05 : 1.001) * limit * direction[i];
+            }
+            const status st = rod_solve(r, tension, &out);
+            if (j < 4) {
+                CHECK(st == OK && out.relative_error <= 1e-6);
+            } else {
+                CHECK(st == ERR_NUMERIC && strstr(status_message(), "eaten its own length"));
+            }
+            status_clear();
+        }
+    }
+    rod_free(r);
+    law_along_free(&law);
+}
+
+// the plan depends on the tensions only, not on what was solved before
+static void the_same_tension_gives_the_same_bits(void)
+{
+    const prototype p = helical_nc();
+    law_along law = {0};
+    prototype_law(&p, &law);
+    const tendon_spec t = straight_tendon("a", 3.6e-3, PROTOTYPE_PI / 2);
+    const double tau = 0.98, strong = 4;
+    rod_solution first = {0}, again = {0};
+    rod *r = solved_rod(&law, 1, &t, (rod_options){.tolerance = 1e-8}, &tau, &first);
+    CHECK_OK(rod_solve(r, &strong, &again));
+    CHECK(rod_panel_count(r) > 16);
+    CHECK_OK(rod_solve(r, &tau, &again));
+    CHECK(memcmp(&first.tip, &again.tip, sizeof first.tip) == 0);
+    rod_free(r);
+    law_along_free(&law);
+}
+
+static double kinked(const void *expression, double s)
+{
+    (void)expression;
+    return fabs(s - 0.0437) * 40;
+}
+
+// a routing with a kink where no panel ends: solved as well as it can be, and refused where that is
+// not enough
+static void a_kink_is_solved_to_an_honest_tolerance(void)
+{
+    const prototype p = homogeneous_tube();
+    law_along law = {0};
+    prototype_law(&p, &law);
+    tendon_spec t = straight_tendon("kinked", 3.6e-3, 0);
+    t.angle = (field){.at = kinked};
+    const double tau = 0.7;
+    rod_solution rough = {0}, fine = {0};
+    rod *r = solved_rod(&law, 1, &t, (rod_options){.tolerance = 1e-4}, &tau, &rough);
+    rod *f = solved_rod(&law, 1, &t, (rod_options){.npanel = 4000}, &tau, &fine);
+    CHECK_WITHIN(distance(rough.tip.p, fine.tip.p), 0, 1e-4 * p.length);
+    rod_free(r);
+    rod_free(f);
+    r = NULL;
+    CHECK_OK(rod_make(&law, 1, &t, &(rod_options){.tolerance = 1e-12}, &r));
+    CHECK(rod_solve(r, &tau, &rough) == ERR_NUMERIC);
+    CHECK(strstr(status_message(), "stays above the tolerance") != NULL);
+    status_clear();
+    rod_free(r);
+    law_along_free(&law);
+}
+
+int main(void)
+{
+    for (int frame = FRAME_GC; frame <= FRAME_NC; frame++) {
+        unloaded_rod_is_straight(frame);
+        shape_is_as_good_as_the_tip(frame);
+        strain_is_the_derivative_of_the_shape(frame);
+    }
+    homogeneous_tube_bends_into_a_circle();
+    beyond_its_end_a_tendon_does_nothing();
+    impossible_tensions_are_refused();
+    bad_rods_are_refused();
+    random_tensions_converge_up_to_the_limit();
+    the_same_tension_gives_the_same_bits();
+    a_kink_is_solved_to_an_honest_tolerance();
+    return test_failures != 0;
+}

@@ -1,0 +1,100 @@
+// tests/unit/rodsolver/test_rod_allocation.c
+// rod_solve, rod_shape and rod_strain_at allocate nothing: every allocation of this program is
+// counted.
+#include "tests/unit/rodsolver/prototypes.h"
+
+#include <stddef.h>
+
+static long allocations;
+
+#if defined(__SANITIZE_ADDRESS__)
+// the sanitizer owns malloc and offers hooks instead
+int __sanitizer_install_malloc_and_free_hooks(void (*)(const volatile void *, size_t),
+                                              void (*)(const volatile void *));
+static void count(const volatile void *p, size_t size)
+{
+    (void)p;
+    (void)size;
+    allocations++;
+}
+static void ignore(const volatile void *p)
+{
+    (void)p;
+}
+static void start_counting(void)
+{
+    CHECK(__sanitizer_install_malloc_and_free_hooks(count, ignore) > 0);
+}
+#else
+// the program's own malloc stands before the C library's
+void *__libc_malloc(size_t size);
+void *__libc_calloc(size_t n, size_t size);
+void *__libc_realloc(void *p, size_t size);
+void *malloc(size_t size)
+{
+    allocations++;
+    return __libc_malloc(size);
+}
+void *calloc(size_t n, size_t size)
+{
+    allocations++;
+    return __libc_calloc(n, size);
+}
+void *realloc(void *p, size_t size)
+{
+    allocations++;
+    return __libc_realloc(p, size);
+}
+static void start_counting(void)
+{
+}
+#endif
+
+static double quarter_turn(const void *expression, double s)
+{
+    (void)expression;
+    return PROTOTYPE_PI / 2 * s / 0.12;
+}
+
+static void solving_allocates_nothing(int frame)
+{
+    enum { POINTS = 13 };
+    const prototype p = helical_nc();
+    law_along law = {0};
+    prototype_law(&p, &law);
+    tendon_spec tendon[3] = {straight_tendon("a", 3.6e-3, 0), straight_tendon("b", 3.6e-3, 2),
+                             straight_tendon("c", 3.6e-3, 4)};
+    tendon[1].angle = (field){.at = quarter_turn};
+    tendon[2].end = 0.05;
+    rod *r = NULL;
+    const long before_make = allocations;
+    CHECK_OK(rod_make(&law, 3, tendon, &(rod_options){.frame = frame, .tolerance = 1e-9}, &r));
+    CHECK(allocations > before_make); // the counter works
+
+    const double tension[4][3] = {{0.98, 0, 0}, {0.3, 0.4, 0.5}, {0, 0, 1}, {3.9, 0, 0}};
+    double length[3], s[POINTS];
+    pose shape[POINTS];
+    for (int i = 0; i < 4; i++) {
+        rod_solution out = {.tendon_length = length};
+        vec6 xi;
+        const long before = allocations;
+        const status solved = rod_solve(r, tension[i], &out);
+        const status shaped = rod_shape(r, POINTS, s, shape);
+        const status strained = rod_strain_at(r, 0.03, &xi);
+        const long taken = allocations - before;
+        CHECK_OK(solved);
+        CHECK_OK(shaped);
+        CHECK_OK(strained);
+        CHECK(taken == 0);
+    }
+    rod_free(r);
+    law_along_free(&law);
+}
+
+int main(void)
+{
+    start_counting();
+    solving_allocates_nothing(FRAME_GC);
+    solving_allocates_nothing(FRAME_NC);
+    return test_failures != 0;
+}

@@ -1,0 +1,83 @@
+// tests/unit/section/test_cholmod_door.c
+#include "section/cholmod_door.h"
+#include "tests/test.h"
+
+enum { N = 50 };
+
+// -1 2 -1 with `first` as the first diagonal entry
+static sparse_lower chain(double first, int *start, int *row, double *value)
+{
+    int k = 0;
+    for (int j = 0; j < N; j++) {
+        start[j] = k;
+        row[k] = j;
+        value[k++] = j ? 2 : first;
+        if (j + 1 < N) {
+            row[k] = j + 1;
+            value[k++] = -1;
+        }
+    }
+    start[N] = k;
+    return (sparse_lower){.n = N, .start = start, .row = row, .value = value};
+}
+
+// -u'' = 1 with u = 0 beyond both ends: u_i = (i + 1) (N - i) / 2, exact on the grid
+static void solves_several_columns(void)
+{
+    int start[N + 1], row[2 * N], order[N];
+    double value[2 * N], b[2 * N], x[2 * N];
+    const sparse_lower a = chain(2, start, row, value);
+    cholesky *c = NULL;
+    CHECK_OK(cholesky_order(&(sparse_lower){.n = N, .start = start, .row = row}, order));
+    CHECK_OK(cholesky_make(&a, order, &c));
+    for (int i = 0; i < N; i++) {
+        b[i] = 1;
+        b[N + i] = 2;
+    }
+    CHECK_OK(cholesky_solve(c, 2, b, x));
+    for (int i = 0; i < N; i++) {
+        CHECK_NEAR(x[i], (i + 1) * (N - i) / 2.0, 1e-12);
+        CHECK_NEAR(x[N + i], (i + 1) * (N - i), 1e-12);
+    }
+    CHECK_OK(cholesky_solve(c, 2, b, b));
+    CHECK(b[N + 7] == x[N + 7]);
+    cholesky_free(c);
+}
+
+static void orders_are_permutations(void)
+{
+    int start[N + 1], row[2 * N], order[N], seen[N] = {0};
+    double value[2 * N];
+    const sparse_lower a = chain(2, start, row, value);
+    CHECK_OK(cholesky_order(&a, order));
+    for (int i = 0; i < N; i++) {
+        seen[order[i]]++;
+    }
+    for (int i = 0; i < N; i++) {
+        CHECK(seen[i] == 1);
+    }
+}
+
+// first = 1 - 1/N makes it singular: the constant slope to zero is in the null space
+static void refuses_singular_and_indefinite(void)
+{
+    int start[N + 1], row[2 * N], order[N];
+    double value[2 * N];
+    const double first[2] = {1 - 1.0 / N, -1};
+    for (int k = 0; k < 2; k++) {
+        const sparse_lower a = chain(first[k], start, row, value);
+        cholesky *c = NULL;
+        CHECK_OK(cholesky_order(&a, order));
+        CHECK(cholesky_make(&a, order, &c) == ERR_NUMERIC);
+        CHECK(c == NULL);
+        status_clear();
+    }
+}
+
+int main(void)
+{
+    solves_several_columns();
+    orders_are_permutations();
+    refuses_singular_and_indefinite();
+    return test_failures != 0;
+}
