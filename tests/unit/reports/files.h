@@ -20,8 +20,9 @@ static inline void scratch_make(char dir[64])
 
 static inline void scratch_free(const char *dir)
 {
-    static const char *const files[] = {"section.svg", "section.png", "segment.svg",   "segment.png",   "rods.svg",
-                                        "rods.png",    "report.html", "curvature.svg", "curvature.png", "summary"};
+    static const char *const files[] = {
+        "section.svg", "section.png", "segment.svg",   "segment.png",   "rods.svg",
+        "rods.png",    "report.html", "curvature.svg", "curvature.png", "summary"};
     char path[256];
     for (size_t i = 0; i < sizeof files / sizeof *files; i++) {
         (void)snprintf(path, sizeof path, "%s/%s", dir, files[i]);
@@ -72,7 +73,8 @@ static inline bool same_file(const char *dir_a, const char *dir_b, const char *n
     return same;
 }
 
-// Every tag closed in turn, every & an entity; void elements and declarations need no end. Raw text in <style> is skipped.
+// Every tag closed in turn, every & an entity; void elements and declarations need no end. Raw text
+// in <style> is skipped.
 static inline bool well_formed(const char *text)
 {
     static char stack[64][32];
@@ -93,7 +95,9 @@ static inline bool well_formed(const char *text)
         }
         char name[32] = "";
         const bool closing = p[1] == '/';
-        for (size_t n = 0; n + 1 < sizeof name && (isalnum((unsigned char)p[1 + closing + n]) || p[1 + closing + n] == ':'); n++) {
+        for (size_t n = 0; n + 1 < sizeof name && (isalnum((unsigned char)p[1 + closing + n]) ||
+                                                   p[1 + closing + n] == ':');
+             n++) {
             name[n] = p[1 + closing + n];
         }
         if (closing) {

@@ -1,6 +1,7 @@
 // tests/unit/reports/synthetic.h
-// A run_result made by hand: the constant-NC tube of the paper with the stiffness that its reference gives, a turning
-// pattern along the rod, helices for shapes and beam theory for the segment. No room but base and reports is needed.
+// A run_result made by hand: the constant-NC tube of the paper with the stiffness that its
+// reference gives, a turning pattern along the rod, helices for shapes and beam theory for the
+// segment. No room but base and reports is needed.
 #pragma once
 
 #include "base/memory.h"
@@ -96,7 +97,7 @@ done:
 // the constant-NC section's K at the geometric centre, nu = 0.3, theta_m = pi
 static inline beam_law tube_law(void)
 {
-    const double diagonal[6] = {2.13825,           2.86797,           29.213042,
+    const double diagonal[6] = {2.13825,          2.86797,           29.213042,
                                 81.236041 * 1e-6, 302.039067 * 1e-6, 65.88821 * 1e-6};
     beam_law law = {.area = pi * (16 - 10.24) * 1e-6, .relative_error = 3.2e-8};
     for (int i = 0; i < 6; i++) {
@@ -158,14 +159,15 @@ static inline status make_rod(run_result *r, int nsolution, double turns)
         run->shape[0] = pose_identity();
         const double ds = r->rod_length / (SHAPE_POINTS - 1);
         for (int k = 0; k < SHAPE_POINTS; k++) {
-            const double angle = turns * pi * k / (SHAPE_POINTS - 1), size = (side ? -9 : 33) * tension;
+            const double angle = turns * pi * k / (SHAPE_POINTS - 1),
+                         size = (side ? -9 : 33) * tension;
             run->s[k] = ds * k;
             run->curvature[k][0] = size * sin(angle);
             run->curvature[k][1] = size * cos(angle);
             if (k > 0) {
                 const double *w = run->curvature[k];
-                run->shape[k] =
-                    pose_mul(run->shape[k - 1], se3_exp((vec6){{0, 0, ds, w[0] * ds, w[1] * ds, 0}}));
+                run->shape[k] = pose_mul(run->shape[k - 1],
+                                         se3_exp((vec6){{0, 0, ds, w[0] * ds, w[1] * ds, 0}}));
             }
         }
         run->tip = run->shape[SHAPE_POINTS - 1];
@@ -176,8 +178,8 @@ done:
     return st;
 }
 
-// tip compliance of a clamped beam: int A^T F A dz with A taking a tip wrench to the section at z, Simpson's rule being
-// exact for the quadratic
+// tip compliance of a clamped beam: int A^T F A dz with A taking a tip wrench to the section at z,
+// Simpson's rule being exact for the quadratic
 static inline mat6 beam_tip_compliance(mat6 F, double length)
 {
     mat6 sum = {0};
@@ -193,8 +195,8 @@ static inline mat6 beam_tip_compliance(mat6 F, double length)
 }
 
 // an axial force makes the same strain everywhere: u follows in closed form
-static inline status make_load(const run_result *r, mat6 F, const char *name, double x, double force,
-                               segment_load_result *out)
+static inline status make_load(const run_result *r, mat6 F, const char *name, double x,
+                               double force, segment_load_result *out)
 {
     status st = OK;
     const double L = r->segment_length;
@@ -251,8 +253,10 @@ static inline status make_compare(run_result *r)
 {
     status st = OK;
     static const compare_row rows[3] = {
-        {"section: GJ, ours against GetDP", "N mm^2", 65.0000, 65.000001, 1.5e-8, 1e-6, "mesh of both", false, true},
-        {"rod: tip, linear limit against 3D <FEM>", "mm", 1.234, 1.3, 0.05, 0.01, "end effects", false, false},
+        {"section: GJ, ours against GetDP", "N mm^2", 65.0000, 65.000001, 1.5e-8, 1e-6,
+         "mesh of both", false, true},
+        {"rod: tip, linear limit against 3D <FEM>", "mm", 1.234, 1.3, 0.05, 0.01, "end effects",
+         false, false},
         {"section: K, ours against CalculiX", "N", 0, 0, 0, 0, "not on this machine", true, false},
     };
     r->has_compare = true;
@@ -264,9 +268,11 @@ done:
     return st;
 }
 
-static const char synthetic_case[] = "title: <script>alert('x')</script>\nmaterials: {a: {E_MPa: 1}} # & \"more\"\n";
+static const char synthetic_case[] =
+    "title: <script>alert('x')</script>\nmaterials: {a: {E_MPa: 1}} # & \"more\"\n";
 
-// turns: of the curvature's direction along the rod, in pi; force: of both segment loads along z [N]
+// turns: of the curvature's direction along the rod, in pi; force: of both segment loads along z
+// [N]
 static inline status synthetic_make(int nsolution, double turns, double force, run_result *out)
 {
     status st = OK;
@@ -279,7 +285,8 @@ static inline status synthetic_make(int nsolution, double turns, double force, r
     memcpy(r->case_text, synthetic_case, sizeof synthetic_case);
     TRY(TAKE(r->materials, 2));
     r->materials[0] = (material){.name = "soft", .E = 0.66e6, .nu = 0.3, .linear_strain = 0.05};
-    r->materials[1] = (material){.name = "stiff <i>", .E = 15.93e6, .nu = 0.3, .linear_strain = 0.06};
+    r->materials[1] =
+        (material){.name = "stiff <i>", .E = 15.93e6, .nu = 0.3, .linear_strain = 0.06};
     TRY(make_section(r, turns != 0));
     TRY(make_rod(r, nsolution, turns));
     TRY(make_segment(r, force));

@@ -81,14 +81,16 @@ static void parts_that_are_not_there_make_no_picture(void)
     scratch_free(dir);
 }
 
-// rods without a bend, a homogeneous section, bytes that are no text, more solutions than a legend holds
+// rods without a bend, a homogeneous section, bytes that are no text, more solutions than a legend
+// holds
 static void odd_results_are_drawn(void)
 {
     run_result r = {0};
     char dir[64];
     scratch_make(dir);
     CHECK_OK(synthetic_make(40, 0.3, -1e-4, &r));
-    (void)snprintf(r.title, sizeof r.title, "\xff\xfe caf\xc3\xa9 \x1b[31m %s", "long long long long long long long title");
+    (void)snprintf(r.title, sizeof r.title, "\xff\xfe caf\xc3\xa9 \x1b[31m %s",
+                   "long long long long long long long title");
     (void)snprintf(r.rod.tendon_name[1], sizeof r.rod.tendon_name[1], "cut \xc3");
     r.section.station[0].centres.isotropic = true;
     r.section.nstation = 1;

@@ -1,0 +1,141 @@
+// tests/unit/reports/test_page.c
+#include "reports/figures.h"
+#include "tests/test.h"
+#include "tests/unit/reports/files.h"
+#include "tests/unit/reports/synthetic.h"
+
+static char *page_of(const run_result *r, const char *dir)
+{
+    size_t length = 0;
+    CHECK_OK(report_page(r, dir));
+    char *page = whole_file(dir, "report.html", &length);
+    CHECK(page && strlen(page) == length);
+    return page ? page : calloc(1, 1);
+}
+
+static void one_file_holds_everything(void)
+{
+    run_result r = {0};
+    char dir[64];
+    scratch_make(dir);
+    CHECK_OK(synthetic_make(6, 1, -0.5, &r));
+    CHECK_OK(figures_all(&r, dir));
+    char *page = page_of(&r, dir);
+    CHECK(strncmp(page, "<!DOCTYPE html>", 15) == 0);
+    CHECK(well_formed(page));
+    CHECK(ids_are_unique(page));
+    CHECK(count_of(page, "<svg") == 4 && count_of(page, "<?xml") == 0);
+    // nothing from outside: the only addresses are the names of the SVG's vocabularies
+    CHECK(count_of(page, "http") == count_of(page, "\"http://www.w3.org/"));
+    CHECK(count_of(page, "src=") == 0 && count_of(page, "@import") == 0);
+    CHECK(count_of(page, "<table>") == count_of(page, "</table>") &&
+          count_of(page, "<table>") >= 5);
+    free(page);
+    scratch_free(dir);
+    synthetic_free(&r);
+}
+
+static void words_of_the_user_stay_words(void)
+{
+    run_result r = {0};
+    char dir[64];
+    scratch_make(dir);
+    CHECK_OK(synthetic_make(4, 1, -0.5, &r));
+    char *page = page_of(&r, dir);
+    CHECK(count_of(page, "<script") == 0);
+    CHECK(count_of(page, "&lt;script&gt;alert(1)&lt;/script&gt; tube &amp; &quot;tendons&quot;") ==
+          2);
+    CHECK(count_of(page, "&lt;script&gt;alert(&#39;x&#39;)") == 1); // the case's own text
+    CHECK(count_of(page, "<b>&amp;") == 0 && count_of(page, "left &lt;b&gt;&amp;") >= 2);
+    CHECK(count_of(page, "stiff <i>") == 0);
+    CHECK(count_of(page, "3D &lt;FEM&gt;") == 1);
+    CHECK(well_formed(page));
+    free(page);
+    scratch_free(dir);
+    synthetic_free(&r);
+}
+
+static void strains_past_linear_are_pointed_out(void)
+{
+    run_result r = {0};
+    char dir[64];
+    scratch_make(dir);
+    CHECK_OK(synthetic_make(4, 0, -0.5, &r));
+    r.rod.run[1].largest_strain = 0.0501; // soft is linear up to 0.05
+    char *page = page_of(&r, dir);
+    CHECK(count_of(page, "1 of 4 shapes strain the section by more than 5.00 %, where soft") == 1);
+    CHECK(count_of(page, "<td class=\"bad\">5.01 ⚠</td>") == 1);
+    free(page);
+    r.rod.run[1].largest_strain = 0.0499;
+    page = page_of(&r, dir);
+    CHECK(count_of(page, "⚠") == 0 && count_of(page, "All shapes stay below 5.00 % strain") == 1);
+    free(page);
+    r.materials[0].linear_strain = r.materials[1].linear_strain = 0;
+    page = page_of(&r, dir);
+    CHECK(count_of(page, "⚠") == 0 && count_of(page, "does not say up to which strain") == 1);
+    free(page);
+    scratch_free(dir);
+    synthetic_free(&r);
+}
+
+static void the_paper_is_cited_for_its_own_figure_only(void)
+{
+    run_result r = {0};
+    char dir[64];
+    scratch_make(dir);
+    CHECK_OK(synthetic_make(4, 0, -0.5, &r));
+    char *page = page_of(&r, dir);
+    CHECK(count_of(page, "paper: 10.7°") == 1 &&
+          count_of(page, "cannot all come from one linear run") == 1);
+    free(page);
+    r.segment_length = 30e-3;
+    page = page_of(&r, dir);
+    CHECK(count_of(page, "paper: ") == 0 && count_of(page, "cannot all come") == 0);
+    free(page);
+    scratch_free(dir);
+    synthetic_free(&r);
+}
+
+static void verdicts_are_counted(void)
+{
+    run_result r = {0};
+    char dir[64];
+    scratch_make(dir);
+    CHECK_OK(synthetic_make(4, 0, -0.5, &r));
+    char *page = page_of(&r, dir);
+    CHECK(count_of(page, "✓ agrees") == 1 && count_of(page, "✗ out of tolerance") == 1);
+    CHECK(count_of(page, ">skipped<") == 1 && count_of(page, "not on this machine") == 1);
+    CHECK(count_of(page, "<dd>out of tolerance") == 1);
+    free(page);
+    r.compare[1].ok = true;
+    page = page_of(&r, dir);
+    CHECK(count_of(page, "<dd>all agree") == 1);
+    free(page);
+    scratch_free(dir);
+    synthetic_free(&r);
+}
+
+static void a_result_of_nothing_is_a_page_too(void)
+{
+    const run_result nothing = {0};
+    char dir[64];
+    scratch_make(dir);
+    char *page = page_of(&nothing, dir);
+    CHECK(well_formed(page));
+    CHECK(count_of(page, "untitled case") == 2 && count_of(page, "id=\"rod\"") == 0);
+    free(page);
+    scratch_free(dir);
+    CHECK(report_page(&nothing, "/nonexistent/directory") == ERR_RESOURCE);
+    status_clear();
+}
+
+int main(void)
+{
+    one_file_holds_everything();
+    words_of_the_user_stay_words();
+    strains_past_linear_are_pointed_out();
+    the_paper_is_cited_for_its_own_figure_only();
+    verdicts_are_counted();
+    a_result_of_nothing_is_a_page_too();
+    return test_failures != 0;
+}

@@ -1,0 +1,59 @@
+// tests/unit/reports/test_svg_tidy.c
+#include "reports/svg_tidy.h"
+#include "tests/test.h"
+
+#include <string.h>
+
+static const char raw_svg[] =
+    "<?xml version=\"1.0\"?>\n<svg width=\"10px\" viewBox=\"0 0 10 10\">\n"
+    "<g><symbol id=\"glyph0-1\"><path style=\"stroke:none;\" d=\"M 0.501953 1.765625 Z M 0.501953 "
+    "1.765625 \"/>"
+    "</symbol></g>\n<g id=\"surface17\" clip-path=\"url(#clip1)\">"
+    "<use xlink:href=\"#glyph0-1\" x=\"15.893555\" y=\"-40\"/>"
+    "<path style=\" stroke:none;fill-rule:nonzero;fill:rgb(100%,50.196078%,0%);fill-opacity:1;\" "
+    "d=\"M 1 2 L 3.996 4\"/>"
+    "<path style=\"fill:none;stroke:rgb(0%,0%,100%);stroke-opacity:0.5;\" d=\"M 1 2 Z M 5 6 L 7 "
+    "8\"/></g></svg>\n";
+
+static const char wanted_svg[] =
+    "<?xml version=\"1.0\"?>\n<svg role=\"img\" width=\"10px\" viewBox=\"0 0 10 10\">\n<title>a "
+    "&amp; b</title>\n"
+    "<g><symbol id=\"rods-glyph0-1\"><path style=\"stroke:none;\" d=\"M 0.5 1.77 Z\"/>"
+    "</symbol></g>\n<g id=\"rods-surface\" clip-path=\"url(#rods-clip1)\">"
+    "<use xlink:href=\"#rods-glyph0-1\" x=\"15.89\" y=\"-40\"/>"
+    "<path style=\"fill:#ff8000;\" d=\"M 1 2 L 4 4\"/>"
+    "<path style=\"fill:none;stroke:#0000ff;stroke-opacity:0.5;\" d=\"M 1 2 Z M 5 6 L 7 "
+    "8\"/></g></svg>\n";
+
+static void ids_get_a_name_and_defaults_go(void)
+{
+    bytes raw = {0}, out = {0};
+    CHECK_OK(bytes_text(&raw, raw_svg));
+    CHECK_OK(svg_tidy(&raw, "rods", "a & b", &out));
+    CHECK(out.data && strcmp(out.data, wanted_svg) == 0);
+    if (test_failures) {
+        printf("%s\n", out.data);
+    }
+    CHECK(out.data && strncmp(svg_element(out.data), "<svg role", 9) == 0);
+    bytes_free(&raw);
+    bytes_free(&out);
+}
+
+static void something_else_is_refused(void)
+{
+    bytes raw = {0}, out = {0};
+    CHECK(svg_tidy(&raw, "a", "b", &out) == ERR_BUG);
+    status_clear();
+    CHECK_OK(bytes_text(&raw, "<html><svg"));
+    CHECK(svg_tidy(&raw, "a", "b", &out) == ERR_BUG);
+    status_clear();
+    bytes_free(&raw);
+    bytes_free(&out);
+}
+
+int main(void)
+{
+    ids_get_a_name_and_defaults_go();
+    something_else_is_refused();
+    return test_failures != 0;
+}
