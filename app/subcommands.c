@@ -17,7 +17,7 @@ static const subcommand list[] = {
      "stiffaxis section constant_nc.yaml --json"},
     {"rod", "CASE", cmd_rod, "shapes for the case's tendon tensions",
      "Tip position, bend and tendon lengths for each row of rod.tensions_N.\n",
-     "stiffaxis rod constant_nc.yaml --set rod.frame=NC"},
+     "stiffaxis rod constant_nc.yaml --set rod.frame=nc"},
     {"fem", "CASE", cmd_fem, "the 3D segment under the case's tip loads",
      "Linear elasticity on the extruded section; runs under mpirun too.\n",
      "stiffaxis fem fig4.yaml --set fem.layers=24"},

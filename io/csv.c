@@ -47,7 +47,7 @@ void csv_text(csv *c, const char *value)
 {
     // a spreadsheet takes a cell with one of these in front for a formula; a quote mark makes it a
     // text
-    const bool formula = value[0] != '\0' && strchr("=+-@\t\r", value[0]);
+    const bool formula = value[0] != '\0' && value[1] != '\0' && strchr("=+-@\t\r", value[0]);
     const bool quoted = strpbrk(value, ",\"\r\n") || value[0] == ' ';
     begin_cell(c);
     if (quoted) {

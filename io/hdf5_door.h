@@ -41,7 +41,8 @@ typedef struct hdf5_door {
     // An attribute of a group, which is made as needed; "/" is the root.
     status (*put)(hdf5_file *f, const char *group, const char *name, const hdf5_array *array,
                   const void *data);
-    status (*finish)(hdf5_file *f); // flush and close; frees f also where it fails
+    status (*finish)(hdf5_file *f); // flush and close; frees f also where it fails. A file that is
+                                    // read ends with its process
 
     status (*open)(const char *path, hdf5_file **out); // ERR_FILE
     bool (*has)(const hdf5_file *f, const char *name);
@@ -50,7 +51,6 @@ typedef struct hdf5_door {
     status (*read)(const hdf5_file *f, const char *name, const hdf5_array *array, void *data);
     // A text attribute of the root, shorter than `size`. ERR_FILE
     status (*get_text)(const hdf5_file *f, const char *name, size_t size, char *text);
-    void (*close)(hdf5_file *f);
 } hdf5_door;
 
 typedef const hdf5_door *(*hdf5_door_table_function)(void);

@@ -23,7 +23,7 @@ struct hdf5_file {
 // Identifiers to be closed together, and the reason of the first call that failed. A call that is
 // given an invalid identifier fails too, so that one check at the end serves a whole function.
 typedef struct scope {
-    hid_t id[8];
+    hid_t id[12];
     int n;
     bool failed;
     char reason[160];
@@ -105,6 +105,61 @@ static hid_t array_space(scope *s, const hdf5_array *array)
     return keep(s, H5Screate_simple(array->rank, shape, NULL));
 }
 
+// --- files ---------------------------------------------------------------------------------------
+
+// Our renaming keeps readers and writers apart: no locks, which some file systems lack. Closing a
+// file closes all in it.
+static hid_t access_plist(scope *s)
+{
+    const hid_t plist = keep(s, H5Pcreate(H5P_FILE_ACCESS));
+    check(s, H5Pset_file_locking(plist, 0, 1));
+    check(s, H5Pset_fclose_degree(plist, H5F_CLOSE_STRONG));
+    return plist;
+}
+
+static status open_file(const char *path, bool create, hdf5_file **out)
+{
+    status st = OK;
+    hdf5_file *f = NULL;
+    scope s = {0};
+    TRY(TAKE(f, 1));
+    const hid_t access = access_plist(&s);
+    f->id = create ? H5Fcreate(path, H5F_ACC_EXCL, H5P_DEFAULT, access)
+                   : H5Fopen(path, H5F_ACC_RDONLY, access);
+    check(&s, f->id < 0 ? -1 : 0);
+    check(&s, H5Fget_filesize(f->id, &f->bytes));
+    if (s.failed && f->id >= 0) {
+        (void)H5Fclose(f->id);
+    }
+    TRY(leave(&s, create ? ERR_RESOURCE : ERR_FILE, create ? "create" : "open",
+              create ? path : "the file"));
+    *out = f;
+    f = NULL;
+
+done:
+    free(f);
+    return st;
+}
+
+static status door_create(const char *path, hdf5_file **out)
+{
+    return open_file(path, true, out);
+}
+
+static status door_open_file(const char *path, hdf5_file **out)
+{
+    return open_file(path, false, out);
+}
+
+static status door_finish(hdf5_file *f)
+{
+    scope s = {0};
+    check(&s, H5Fflush(f->id, H5F_SCOPE_GLOBAL));
+    check(&s, H5Fclose(f->id));
+    free(f);
+    return leave(&s, ERR_RESOURCE, "write", "the file");
+}
+
 // --- writing -------------------------------------------------------------------------------------
 
 // groups on the way to a name are made as needed
@@ -180,70 +235,7 @@ static status door_put(hdf5_file *f, const char *group, const char *name, const 
     return leave(&s, ERR_RESOURCE, "write the attribute", name);
 }
 
-// Our renaming keeps readers and writers apart: no locks, which some file systems lack. Closing a
-// file closes all in it.
-static hid_t access_plist(scope *s)
-{
-    const hid_t plist = keep(s, H5Pcreate(H5P_FILE_ACCESS));
-    check(s, H5Pset_file_locking(plist, 0, 1));
-    check(s, H5Pset_fclose_degree(plist, H5F_CLOSE_STRONG));
-    return plist;
-}
-
-static status door_create(const char *path, hdf5_file **out)
-{
-    status st = OK;
-    hdf5_file *f = NULL;
-    scope s = {0};
-    TRY(TAKE(f, 1));
-    f->id = H5Fcreate(path, H5F_ACC_EXCL, H5P_DEFAULT, access_plist(&s));
-    check(&s, f->id < 0 ? -1 : 0);
-    TRY(leave(&s, ERR_RESOURCE, "create", path));
-    *out = f;
-    f = NULL;
-
-done:
-    free(f);
-    return st;
-}
-
-static status door_finish(hdf5_file *f)
-{
-    scope s = {0};
-    check(&s, H5Fflush(f->id, H5F_SCOPE_GLOBAL));
-    check(&s, H5Fclose(f->id));
-    free(f);
-    return leave(&s, ERR_RESOURCE, "write", "the file");
-}
-
 // --- reading -------------------------------------------------------------------------------------
-
-static status door_open_file(const char *path, hdf5_file **out)
-{
-    status st = OK;
-    hdf5_file *f = NULL;
-    scope s = {0};
-    TRY(TAKE(f, 1));
-    f->id = H5Fopen(path, H5F_ACC_RDONLY, access_plist(&s));
-    check(&s, f->id < 0 ? -1 : 0);
-    check(&s, H5Fget_filesize(f->id, &f->bytes));
-    if (s.failed && f->id >= 0) {
-        (void)H5Fclose(f->id);
-    }
-    TRY(leave(&s, ERR_FILE, "open", "the file"));
-    *out = f;
-    f = NULL;
-
-done:
-    free(f);
-    return st;
-}
-
-static void door_close(hdf5_file *f)
-{
-    (void)H5Fclose(f->id);
-    free(f);
-}
 
 // every step of the path is a plain link: a soft or external one may lead out of the file
 static bool door_has(const hdf5_file *f, const char *name)
@@ -384,7 +376,6 @@ const hdf5_door *hdf5_door_table(void)
         .look = door_look,
         .read = door_read,
         .get_text = door_get_text,
-        .close = door_close,
     };
     // our messages say what failed: HDF5's own pages stay away, and so do plugins that a file may
     // ask for

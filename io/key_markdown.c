@@ -33,8 +33,8 @@ static void put_value(FILE *stream, const key *k)
         [KEY_REAL] = "number",        [KEY_INTEGER] = "whole number",
         [KEY_FLAG] = "true or false", [KEY_TEXT] = "text",
         [KEY_NAME] = "name",          [KEY_FIELD] = "number or expression in s",
-        [KEY_TABLE] = "map",          [KEY_LIST] = "list",
-        [KEY_NAMED] = "map of names",
+        [KEY_TABLE] = "map of",          [KEY_LIST] = "list of",
+        [KEY_NAMED] = "map from names to",
     };
     const unit *units = NULL;
     (void)unit_list(k->dimension, &units);
@@ -50,7 +50,7 @@ static void put_value(FILE *stream, const key *k)
         (void)fputs(kinds[k->kind], stream);
     }
     if (k->table) {
-        (void)fprintf(stream, " of [%s](#%s)", k->table->name, k->table->name);
+        (void)fprintf(stream, " [%s](#%s)", k->table->name, k->table->name);
     }
     put_limits(stream, k, units);
 }

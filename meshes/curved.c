@@ -162,6 +162,28 @@ double curved_triangle_area(const plane_pieces *pieces, const curved_sides *s, i
     return area;
 }
 
+// Straight position plus the sides' bulges, each faded out towards the opposite corner by 4 La Lb /
+// (1 - (Lb - La)^2): a polynomial of order p where the bulge is one, and of the size of its
+// derivatives (Szabo and Babuska).
+void curved_triangle_point(const plane_pieces *pieces, const curved_sides *s, int triangle,
+                           const double bary[3], double *x)
+{
+    const int *corner = pieces->corner + 3 * (size_t)triangle;
+    x[0] = x[1] = 0;
+    for (int i = 0; i < 3; i++) {
+        const double *a = pieces->xy + 2 * (size_t)corner[i];
+        const double *b = pieces->xy + 2 * (size_t)corner[(i + 1) % 3];
+        const bend *side = &s->bend[s->edges.of[3 * triangle + i]];
+        const double la = bary[i], lb = bary[(i + 1) % 3], d = lb - la, t = (1 + d) / 2;
+        const double fade = 4 * la * lb / (1 - d * d);
+        double on[2];
+        side_point(side, a, b, t, on);
+        for (int k = 0; k < 2; k++) {
+            x[k] += la * a[k] + fade * (on[k] - a[k] - (b[k] - a[k]) * t);
+        }
+    }
+}
+
 // Numbers of a mesh of order p: corners first, then p - 1 nodes of each edge from its smaller
 // corner, then the insides.
 typedef struct numbering {
@@ -199,28 +221,6 @@ static int lattice_node(const numbering *w, const int *corner, const edge_list *
     return w->ncorner + w->nedge * (p - 1) + triangle * per + inside;
 }
 
-// Straight position plus the sides' bulges, each faded out towards the opposite corner by 4 La Lb /
-// (1 - (Lb - La)^2): a polynomial of order p where the bulge is one, and of the size of its
-// derivatives (Szabo and Babuska).
-static void inside_point(const plane_pieces *pieces, const curved_sides *s, int triangle,
-                         const double *bary, double *x)
-{
-    const int *corner = pieces->corner + 3 * (size_t)triangle;
-    x[0] = x[1] = 0;
-    for (int i = 0; i < 3; i++) {
-        const double *a = pieces->xy + 2 * (size_t)corner[i];
-        const double *b = pieces->xy + 2 * (size_t)corner[(i + 1) % 3];
-        const bend *side = &s->bend[s->edges.of[3 * triangle + i]];
-        const double la = bary[i], lb = bary[(i + 1) % 3], d = lb - la, t = (1 + d) / 2;
-        const double fade = 4 * la * lb / (1 - d * d);
-        double on[2];
-        side_point(side, a, b, t, on);
-        for (int k = 0; k < 2; k++) {
-            x[k] += la * a[k] + fade * (on[k] - a[k] - (b[k] - a[k]) * t);
-        }
-    }
-}
-
 static void place_edges(const plane_pieces *pieces, const curved_sides *s, const numbering *w,
                         const element *e, double scale, mesh *m)
 {
@@ -249,7 +249,7 @@ static void place_triangle(const plane_pieces *pieces, const curved_sides *s, co
             if (i > 0 && j > 0 && i + j < w->p) {
                 const double *at = e->node[n], bary[3] = {1 - at[0] - at[1], at[0], at[1]};
                 double *x = m->xyz + 3 * (size_t)conn[n];
-                inside_point(pieces, s, triangle, bary, x);
+                curved_triangle_point(pieces, s, triangle, bary, x);
                 x[0] *= scale;
                 x[1] *= scale;
                 inside++;

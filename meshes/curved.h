@@ -27,6 +27,10 @@ void curved_sides_free(curved_sides *s);
 // Area of a triangle with its bent sides, exact.
 double curved_triangle_area(const plane_pieces *pieces, const curved_sides *s, int triangle);
 
+// The point of a triangle with its bent sides at barycentric coordinates, exact on the sides.
+void curved_triangle_point(const plane_pieces *pieces, const curved_sides *s, int triangle,
+                           const double bary[3], double *x);
+
 // Nodes of bent sides are the Lobatto points of the arc itself, so that the area's error falls with
 // (arc of a side)^(2p); inside, the bulges of the sides are blended. Coordinates are multiplied by
 // `scale`.

@@ -64,46 +64,30 @@ done:
     return st;
 }
 
-// the owner by gmsh's books is the shape on top at a point inside the face's largest element
-static status check_owners(const section_outline *o, const plane_pieces *p, const curved_sides *s,
-                           const mesh *m)
+// the owner by gmsh's books is the shape on top in the middle of an element of the face
+static status check_owners(const section_outline *o, const plane_pieces *p, const curved_sides *s)
 {
     status st = OK;
-    element e = {0};
-    double N[ELEMENT_MAX_NODES], *largest = NULL;
-    int *which = NULL;
-    const double centre[2] = {1.0 / 3, 1.0 / 3};
-
-    TRY(element_make(SHAPE_TRIANGLE, m->order, &e));
-    TRY(TAKE(largest, (size_t)p->nface));
-    TRY(TAKE(which, (size_t)p->nface));
-    element_basis(&e, centre, N, NULL);
+    const double middle[3] = {1.0 / 3, 1.0 / 3, 1.0 / 3};
+    bool *agrees = NULL;
+    TRY(TAKE(agrees, (size_t)p->nface));
     for (int k = 0; k < p->ntriangle; k++) {
-        const double area = curved_triangle_area(p, s, k);
-        if (area > largest[p->face[k]]) {
-            largest[p->face[k]] = area;
-            which[p->face[k]] = k;
+        const int f = p->face[k];
+        if (!agrees[f]) {
+            double x[2];
+            curved_triangle_point(p, s, k, middle, x);
+            agrees[f] = section_top_shape(o, x[0] * o->size, x[1] * o->size) == p->owner[f];
         }
     }
     for (int f = 0; f < p->nface; f++) {
-        const int *conn = m->block[0].conn + (size_t)which[f] * (size_t)e.nnode;
-        double x[2] = {0};
-        for (int i = 0; i < e.nnode; i++) {
-            x[0] += N[i] * m->xyz[3 * (size_t)conn[i]];
-            x[1] += N[i] * m->xyz[3 * (size_t)conn[i] + 1];
-        }
-        const int top = section_top_shape(o, x[0], x[1]);
-        if (!(largest[f] > 0) || top != p->owner[f]) {
-            TRY(status_fail(
-                ERR_NUMERIC,
-                "the free mesher gave the area at (%g, %g) mm to shape %d instead of %d",
-                x[0] * 1e3, x[1] * 1e3, p->owner[f] + 1, top + 1));
+        if (!agrees[f]) {
+            TRY(status_fail(ERR_NUMERIC, "the free mesher gave an area to shape %d that is not its",
+                            p->owner[f] + 1));
         }
     }
 
 done:
-    free(largest);
-    free(which);
+    free(agrees);
     return st;
 }
 
@@ -147,7 +131,8 @@ done:
 typedef struct attempt {
     plane_pieces pieces;
     curved_sides sides;
-    mesh m;
+    mesh m, judged; // judged: at order 2 for a mesh of order 1, whose elements do not show how
+                    // their curves lie
 } attempt;
 
 static void attempt_free(attempt *a)
@@ -155,6 +140,7 @@ static void attempt_free(attempt *a)
     plane_pieces_free(&a->pieces);
     curved_sides_free(&a->sides);
     mesh_free(&a->m);
+    mesh_free(&a->judged);
 }
 
 static status try_once(const section_outline *o, plane_request *request, int order, attempt *a)
@@ -169,6 +155,9 @@ static status try_once(const section_outline *o, plane_request *request, int ord
     TRY(curved_sides_make(&a->pieces, o, &a->sides));
     TRY(check_areas(o, &a->pieces, &a->sides));
     TRY(curved_mesh_make(&a->pieces, o, &a->sides, order, &a->m));
+    if (order == 1) {
+        TRY(curved_mesh_make(&a->pieces, o, &a->sides, 2, &a->judged));
+    }
 
 done:
     return st;
@@ -208,21 +197,18 @@ status free_mesh_make(const section_outline *o, const mesh_options *options, mes
     int bad = 1, worst = 0;
 
     TRY(section_check_thickness(o));
-    if (request.length * request.length * SECTION_MOST_ELEMENTS < 1) {
-        TRY(status_fail(ERR_INPUT, "mesh: its size asks for more than %d elements",
-                        SECTION_MOST_ELEMENTS));
-    }
     TRY(plane_shapes_make(o, &request));
     for (int k = 0; k < MOST_TRIES && bad > 0; k++) {
         attempt_free(&a);
         a = (attempt){0};
         TRY(try_once(o, &request, options->order, &a));
-        TRY(refine_at_bad(&a.m, &a.pieces, &a.sides, &request, &bad, &worst));
+        TRY(refine_at_bad(options->order == 1 ? &a.judged : &a.m, &a.pieces, &a.sides, &request,
+                          &bad, &worst));
     }
     if (bad > 0) {
         TRY(fail_at(o, &a, worst));
     }
-    TRY(check_owners(o, &a.pieces, &a.sides, &a.m));
+    TRY(check_owners(o, &a.pieces, &a.sides));
     TRY(take_owners(&a.pieces, owner));
     *out = a.m;
     a.m = (mesh){0};

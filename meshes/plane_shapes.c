@@ -103,7 +103,8 @@ static void add_rectangle(writer *w, const outline *o)
     end_loop(w);
 }
 
-// all loops counter-clockwise: OpenCASCADE's area of a face counts holes that run the other way as filled
+// all loops counter-clockwise: OpenCASCADE's area of a face counts holes that run the other way as
+// filled
 static void add_polygon(writer *w, const outline *o)
 {
     for (int k = 0; k < o->nloop; k++) {

@@ -73,6 +73,20 @@ static double turn_of(const double *probe)
     return fabs(atan2(ux * vy - uy * vx, ux * vx + uy * vy)) * (CURVE_PROBES - 1);
 }
 
+// equilateral triangles of the target size, before they are made
+static status check_count(const plane_request *r, const plane_pieces *p)
+{
+    double area = 0;
+    for (int f = 0; f < p->nface; f++) {
+        area += p->area[f];
+    }
+    if (!(area / (sqrt(3) / 4 * r->length * r->length) < SECTION_MOST_ELEMENTS)) {
+        return status_fail(ERR_INPUT, "mesh: its size asks for more than %d elements",
+                           SECTION_MOST_ELEMENTS);
+    }
+    return OK;
+}
+
 // how many equal edges a curve takes by the length and the arc
 static double natural_parts(const plane_request *r, const plane_pieces *p, int curve)
 {
@@ -102,6 +116,7 @@ status plane_divide(plane_request *r, const plane_pieces *p, int *parts)
     status st = OK;
     r->known = p;
     TRY(check_slivers(p));
+    TRY(check_count(r, p));
     for (int i = 0; i < p->ncurve; i++) {
         const double *probe = p->probe + 2 * CURVE_PROBES * (size_t)i;
         if (p->length[i] < OUTLINE_SLIVER) {

@@ -12,7 +12,8 @@ double nice_step(double span, int count)
     }
     const double power = pow(10, floor(log10(raw)));
     const double lead = raw / power;
-    return power * (lead < 1.5 ? 1 : lead < 3.5 ? 2 : lead < 7.5 ? 5 : 10);
+    // the nearest in ratio: the geometric means of 1, 2, 5, 10
+    return power * (lead < sqrt(2) ? 1 : lead < sqrt(10) ? 2 : lead < sqrt(50) ? 5 : 10);
 }
 
 double plot_x(const plot *p, double x)

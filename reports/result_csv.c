@@ -3,6 +3,7 @@
 // stand for none.
 #include "reports/result.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -186,9 +187,9 @@ static status write_compare(const run_result *r, const char *dir)
         const compare_row *row = &r->compare[i];
         csv_text(c, row->what);
         csv_text(c, row->unit);
-        csv_real(c, row->ours);
-        csv_real(c, row->other);
-        csv_real(c, row->difference);
+        csv_real(c, row->skipped ? NAN : row->ours); // nothing was compared: empty
+        csv_real(c, row->skipped ? NAN : row->other);
+        csv_real(c, row->skipped ? NAN : row->difference);
         csv_real(c, row->tolerance);
         csv_text(c, row->skipped ? "skipped" : row->ok ? "ok" : "out of tolerance");
         csv_text(c, row->reason);

@@ -3,6 +3,8 @@
 // the order nx ny nz mx my mz at the geometric centre. What is not a number is null.
 #include "reports/result.h"
 
+#include <math.h>
+
 static const char *const model_names[] = {"full", "classical"};
 static const char *const base_names[] = {"clamped", "free_to_contract"};
 static const char *const tip_names[] = {"rigid", "E_proportional", "uniform"};
@@ -151,9 +153,9 @@ static void write_row(json *j, const compare_row *row)
     json_object(j, NULL);
     json_text(j, "what", row->what);
     json_text(j, "unit", row->unit);
-    json_real(j, "ours", row->ours);
-    json_real(j, "other", row->other);
-    json_real(j, "difference_relative", row->difference);
+    json_real(j, "ours", row->skipped ? NAN : row->ours); // nothing was compared: null
+    json_real(j, "other", row->skipped ? NAN : row->other);
+    json_real(j, "difference_relative", row->skipped ? NAN : row->difference);
     json_real(j, "tolerance_relative", row->tolerance);
     json_text(j, "reason", row->reason);
     json_flag(j, "skipped", row->skipped);

@@ -5,13 +5,6 @@
 #include <math.h>
 #include <string.h>
 
-// panels of the plans, from coarse to fine: two, then steps of 3/2 and 4/3
-static const int panel_count[ROD_MAX_PLANS] = {2,  4,   6,   8,   12,  16,  24,  32,   48,   64,
-                                               96, 128, 192, 256, 384, 512, 768, 1024, 1536, 2048};
-enum { PLANS_IN_RESERVE = 2 };
-
-const double rod_probe_share[ROD_PROBES] = {0.2, 0.4, 0.6, 0.8};
-
 // two edges nearer than this part of the length are one
 static const double same_edge = 1e-9;
 
@@ -65,8 +58,7 @@ done:
     return st;
 }
 
-// a finer plan, and room for its solution
-static status add_plan(rod *r, int npanel)
+status plan_add(rod *r, int npanel)
 {
     status st = OK;
     plan *p = &r->plans[r->nplan];
@@ -86,7 +78,6 @@ done:
 
 static void end_frames(rod *r)
 {
-    r->base = r->tip = pose_identity();
     if (r->options.frame == FRAME_NC) {
         centre_frame f;
         const plan *p = &r->plans[r->nplan - 1];
@@ -95,70 +86,6 @@ static void end_frames(rod *r)
         law_along_centre_frame(r->law, r->length, p->frame[p->nstation - 1].phi, &f);
         r->tip = centre_frame_pose(&f);
     }
-}
-
-// the probe's load: tendon i alone, or all together for i = ntendon, at a share of what each can
-// pull alone
-static void set_probe(rod *r, int i, double share)
-{
-    const plan *p = &r->plans[r->nplan - 1];
-    r->nactive = 0;
-    for (int j = 0; j < r->ntendon; j++) {
-        r->tension[j] = 0;
-        if (i == j || i == r->ntendon) {
-            r->tension[j] = share * p->tendon[j].critical / (i == j ? 1 : r->ntendon);
-            r->active[r->nactive++] = j;
-        }
-    }
-}
-
-// raises *level until the estimate of this probe meets the tolerance
-static status probe(rod *r, int load, double share, int *level)
-{
-    status st = OK;
-    rod_solution out = {0};
-    for (;;) {
-        set_probe(r, load, share);
-        if (solve_on_plan(r, &r->plans[*level], &out) != OK) {
-            // such a load is refused when it is asked for
-            status_clear();
-            break;
-        }
-        if (out.relative_error <= r->options.tolerance || *level == ROD_MAX_PLANS - 1) {
-            break;
-        }
-        ++*level;
-        if (*level == r->nplan) {
-            TRY(add_plan(r, panel_count[*level]));
-        }
-    }
-
-done:
-    return st;
-}
-
-// which plan serves which share of the critical tension; the finest for the largest share has two
-// more in reserve
-static status choose_plans(rod *r)
-{
-    status st = OK;
-    int level = 0;
-    TRY(add_plan(r, panel_count[0]));
-    end_frames(r);
-    for (int k = 0; k < ROD_PROBES; k++) {
-        const int loads = r->ntendon > 1 ? r->ntendon + 1 : r->ntendon;
-        for (int load = 0; load < loads; load++) {
-            TRY(probe(r, load, rod_probe_share[k], &level));
-        }
-        r->first_plan[k] = level;
-    }
-    while (r->nplan < ROD_MAX_PLANS && r->nplan <= level + PLANS_IN_RESERVE) {
-        TRY(add_plan(r, panel_count[r->nplan]));
-    }
-    r->solved = NULL;
-
-done:
-    return st;
 }
 
 static status check_options(const law_along *law, int ntendon, const rod_options *options)
@@ -191,17 +118,19 @@ status rod_make(const law_along *law, int ntendon, const tendon_spec *tendons,
     r->options = *options;
     r->length = law->length;
     r->ntendon = ntendon;
+    r->doubt = 1;
+    r->base = r->tip = pose_identity();
     for (int i = 0; i < GAUSS_STATIONS; i++) {
         lie_pair_weights(2 * gauss_point[i], r->pair_weight[i]);
     }
     TRY(copy_tendons(r, tendons));
     TRY(find_breaks(r));
     if (options->npanel > 0) {
-        TRY(add_plan(r, options->npanel));
-        end_frames(r);
+        TRY(plan_add(r, options->npanel));
     } else {
-        TRY(choose_plans(r));
+        TRY(plans_choose(r));
     }
+    end_frames(r);
     *out = r; // ownership passes only when all is well
     r = NULL;
 

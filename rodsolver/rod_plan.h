@@ -47,6 +47,8 @@ struct rod {
     plan plans[ROD_MAX_PLANS];  // from coarse to fine
     int first_plan[ROD_PROBES]; // the plan to begin with, by the share of the critical tension
 
+    double doubt; // factor >= 1 on every estimate, from a comparison of plans
+
     // the last solution
     const plan *solved; // NULL: none
     double tension[ROD_MAX_TENDONS];
@@ -63,6 +65,12 @@ extern const double rod_probe_share[ROD_PROBES];
 // is not touched.
 status plan_make(const struct rod *r, int npanel, plan *out);
 void plan_free(plan *p, int ntendon);
+
+// A plan behind the others, and room for its solution: plans are added from coarse to fine.
+status plan_add(struct rod *r, int npanel);
+
+// As many plans as r->options.tolerance needs, first_plan and doubt.
+status plans_choose(struct rod *r);
 
 // T as a pose: the stiffness-centre frame seen from the geometric one.
 pose centre_frame_pose(const centre_frame *f);

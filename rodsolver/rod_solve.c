@@ -207,7 +207,8 @@ static double integrate(rod *r, const plan *p)
         coarse_tip = pose_mul(coarse_tip, once);
     }
     const double tip = vec3_norm(vec3_sub(r->pair_pose[p->npair].p, coarse_tip.p));
-    return (margin * tip + unsigned_share * sum) / (doubled * r->length) + rounding * 2 * p->npair;
+    const double estimate = (margin * tip + unsigned_share * sum) / (doubled * r->length);
+    return r->doubt * estimate + rounding * 2 * p->npair;
 }
 
 static void tendon_lengths(const rod *r, const plan *p, double *length)

@@ -117,6 +117,26 @@ static shape_spec any_shape(source *r, double *corner)
     return s;
 }
 
+static void tell(int n, const shape_spec *s)
+{
+    section_outline o = {0};
+    if (shapes_at((shape_list){.count = n, .items = s}, 0, &o) != OK) {
+        return;
+    }
+    for (int k = 0; k < o.count; k++) {
+        const outline *p = &o.items[k];
+        printf(
+            "  %-9s material %2d centre %.17g %.17g outer %.17g inner %.17g mid %.17g width %.17g "
+            "size %.17g %.17g angle %.17g\n",
+            shape_kind_name(p->kind), p->material, p->centre[0], p->centre[1], p->outer, p->inner,
+            p->mid_angle, p->width, p->size[0], p->size[1], p->angle);
+        for (int i = 0; p->nloop > 0 && i < p->loop_start[p->nloop]; i++) {
+            printf("            %.17g %.17g\n", p->point[2 * i], p->point[2 * i + 1]);
+        }
+    }
+    section_outline_free(&o);
+}
+
 // 0 a mesh, 1 refused by its input, 2 another error; 10 and more: wrong
 static int run_case(uint64_t seed, bool talk)
 {
@@ -130,9 +150,13 @@ static int run_case(uint64_t seed, bool talk)
     for (int k = 0; k < n; k++) {
         s[k] = any_shape(&r, corner[k]);
     }
-    const double sizes[] = {0, 0, 0, 0.3, 1, 10, 0.01};
+    const double sizes[] = {0, 0, 0, 0.3, 1, 10, 0.1};
     const int order = 1 + below(&r, 4), kind = below(&r, 5) == 0 ? MESH_FREE : MESH_AUTO;
     mesh m = {0};
+    if (talk) {
+        tell(n, s);
+        status_clear();
+    }
     const status st = mesh_of(n, s, kind, order, sizes[below(&r, 7)], &m);
     if (st == OK) {
         double least = 0;

@@ -53,9 +53,9 @@ static void what_is_left_off_is_said(void)
     run_result r = {0};
     CHECK_OK(synthetic_make(40, 1, -0.5, &r));
     char *text = summary_of(&r, 25);
-    const char *more = strstr(text, "and ");
+    const char *more = strstr(text, "\n         and ");
     CHECK(count_of(text, " bend ") > 3 && more != NULL);
-    CHECK(more && atoi(more + 4) + count_of(text, " bend ") == 40);
+    CHECK(more && atoi(more + 14) + count_of(text, " bend ") == 40);
     free(text);
     synthetic_free(&r);
 }

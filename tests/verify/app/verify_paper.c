@@ -15,8 +15,10 @@ static void run_case(const char *name, int noverride, const char *const *overrid
     const command cmd = {.quiet = true, .first_rank = true};
     const char *source = getenv("STIFFAXIS_SOURCE");
     (void)snprintf(path, sizeof path, "%s/cases/%s.yaml", source ? source : ".", name);
-    CHECK_OK(case_open(path, noverride, overrides, c));
-    CHECK_OK(chain_run(&cmd, c, parts, r));
+    if (case_open(path, noverride, overrides, c) != OK || chain_run(&cmd, c, parts, r) != OK) {
+        printf("%s\n", status_message());
+        exit(1);
+    }
 }
 
 static void done(case_data *c, run_result *r)

@@ -1,0 +1,98 @@
+// rodsolver/rod_ladder.c
+// Which plans a rod needs for its tolerance: tried on probing loads when it is made.
+#include "rodsolver/rod_plan.h"
+
+// two panels, then steps of 3/2 and 4/3
+static const int panel_count[ROD_MAX_PLANS] = {2,  4,   6,   8,   12,  16,  24,  32,   48,   64,
+                                               96, 128, 192, 256, 384, 512, 768, 1024, 1536, 2048};
+
+const double rod_probe_share[ROD_PROBES] = {0.2, 0.4, 0.6, 0.8};
+
+// finer than the strongest probe needs: room for what lies between it and the critical tension
+enum { PLANS_IN_RESERVE = 2 };
+
+// two plans may differ by this part of the length through rounding alone
+static const double rounding = 1e-14;
+
+// tendon i alone, or all together for i = ntendon, at a share of what each can pull alone
+static void set_probe(rod *r, int i, double share)
+{
+    const plan *p = &r->plans[r->nplan - 1];
+    r->nactive = 0;
+    for (int j = 0; j < r->ntendon; j++) {
+        r->tension[j] = 0;
+        if (i == j || i == r->ntendon) {
+            r->tension[j] = share * p->tendon[j].critical / (i == j ? 1 : r->ntendon);
+            r->active[r->nactive++] = j;
+        }
+    }
+}
+
+static status plan_at(rod *r, int level)
+{
+    return level < r->nplan ? OK : plan_add(r, panel_count[level]);
+}
+
+// The estimate trusts the order of the method. Where a path or a law has a kink inside a panel it
+// would be too small: then the next plan's tip tells, and all estimates of this rod are raised
+static bool confirmed(rod *r, const rod_solution *coarse, const rod_solution *fine)
+{
+    const double moved = vec3_norm(vec3_sub(coarse->tip.p, fine->tip.p)) / r->length;
+    if (moved <= coarse->relative_error + rounding) {
+        return true;
+    }
+    r->doubt *= 2 * moved / coarse->relative_error;
+    return false;
+}
+
+// raises *level until the estimate of this probe meets the tolerance and the next plan confirms it
+static status probe(rod *r, int load, double share, int *level)
+{
+    status st = OK;
+    // once: the critical tension that a plan sees depends on its stations
+    set_probe(r, load, share);
+    for (; *level < ROD_MAX_PLANS - 1; ++*level) {
+        rod_solution coarse = {0}, fine = {0};
+        TRY(plan_at(r, *level));
+        if (solve_on_plan(r, &r->plans[*level], &coarse) != OK) {
+            // such a load is refused when it is asked for
+            status_clear();
+            break;
+        }
+        if (coarse.relative_error > r->options.tolerance) {
+            continue;
+        }
+        TRY(plan_at(r, *level + 1));
+        if (solve_on_plan(r, &r->plans[*level + 1], &fine) != OK) {
+            status_clear();
+            break;
+        }
+        if (confirmed(r, &coarse, &fine)) {
+            break;
+        }
+    }
+
+done:
+    return st;
+}
+
+status plans_choose(rod *r)
+{
+    status st = OK;
+    int level = 0;
+    TRY(plan_at(r, 0));
+    for (int k = 0; k < ROD_PROBES; k++) {
+        const int loads = r->ntendon > 1 ? r->ntendon + 1 : r->ntendon;
+        for (int load = 0; load < loads; load++) {
+            TRY(probe(r, load, rod_probe_share[k], &level));
+        }
+        r->first_plan[k] = level;
+    }
+    for (int k = r->nplan; k < ROD_MAX_PLANS && k <= level + PLANS_IN_RESERVE; k++) {
+        TRY(plan_at(r, k));
+    }
+    r->solved = NULL;
+
+done:
+    return st;
+}

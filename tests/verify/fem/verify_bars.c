@@ -1,0 +1,175 @@
+// tests/verify/fem/verify_bars.c
+// Closed forms of homogeneous bars: a tube in torsion, the law of a tube and of a flat strip,
+// uniform traction.
+#include "tests/verify/fem/polar_mesh.h"
+
+static polar_segment tube(void)
+{
+    polar_segment s = fig4_segment();
+    s.width = 0;
+    s.stiff = 0;
+    s.soft = 10;
+    return s;
+}
+
+static status solve(const column_model *m, const segment_load *load, const double *point,
+                    segment_result *r)
+{
+    const double at[1][2] = {{point[0], point[1]}};
+    return segment_solve(&m->model, 1, load, at, 0, r);
+}
+
+static const double ORIGIN[2] = {0, 0};
+static const material rubber = {.E = 0.66e6, .nu = 0.3};
+
+// sections turn without warping: u = tau z (-y, x, 0), which every order holds. What is left is the
+// circle's geometry, of order 2p in the element's angle
+static void a_tube_twists_by_T_L_over_GJ(void)
+{
+    const polar_segment s = tube();
+    const double G = rubber.E / 2.6, J = PI / 2 * (pow(s.outer, 4) - pow(s.inner, 4));
+    const segment_load load = {.name = "torque", .moment = {0, 0, 1e-3}};
+    const double wanted = 1e-3 * s.length / (G * J), tolerance[5] = {0, 0.3, 5e-3, 1e-4, 1e-6};
+    for (int order = 1; order <= ELEMENT_MAX_ORDER; order++) {
+        polar_segment with = s;
+        column_model m = {0};
+        segment_result r = {0};
+        with.order = order;
+        with.layers = 4;
+        CHECK_OK(polar_model(&with, &rubber, BASE_FREE_TO_CONTRACT, TIP_E_PROPORTIONAL, &m));
+        CHECK_OK(solve(&m, &load, ORIGIN, &r));
+        if (r.load) {
+            printf("tube, order %d: twist to %.1e\n", order,
+                   r.load[0].tip_rotation[2] / wanted - 1);
+            CHECK_NEAR(r.load[0].tip_rotation[2], wanted, tolerance[order]);
+            CHECK_NEAR(r.load[0].strain_energy, 1e-3 * r.load[0].tip_rotation[2] / 2, 1e-10);
+        }
+        segment_result_free(&r);
+        column_model_free(&m);
+    }
+}
+
+// sections.json a and a45: shear stiffness from the closed-form coefficient of a tube; mm, N, MPa
+// turned into SI
+static void the_law_of_a_tube(double nu, double GA, double GJ)
+{
+    const polar_segment s = tube();
+    const material m = {.E = 0.66e6, .nu = nu};
+    const double A = PI * (s.outer * s.outer - s.inner * s.inner);
+    const double I = PI / 4 * (pow(s.outer, 4) - pow(s.inner, 4));
+    const double diagonal[6] = {GA, GA, m.E * A, m.E * I, m.E * I, 1e-6 * GJ};
+    const segment_load load = {.name = "torque", .moment = {0, 0, 1e-3}};
+    column_model model = {0};
+    segment_result r = {0};
+    mat6 wanted = {0};
+    for (int i = 0; i < 6; i++) {
+        wanted.a[i][i] = diagonal[i];
+    }
+    CHECK_OK(polar_model(&s, &m, BASE_CLAMPED, TIP_RIGID, &model));
+    CHECK_OK(solve(&model, &load, ORIGIN, &r));
+    const double error = mat6_relative_error(r.law.K, wanted);
+    printf("tube, nu %.2f: law to %.1e, estimate %.1e\n", nu, error, r.law.relative_error);
+    // order 3 with ten elements around: geometry 1e-5, shear flow 1e-4
+    CHECK_WITHIN(error, 0, 3e-4);
+    CHECK(error <= r.law.relative_error);
+    CHECK_NEAR(r.law.area, A, 1e-4);
+    segment_result_free(&r);
+    column_model_free(&model);
+}
+
+// sections.json d1: 4 x 1 mm, E = 1 MPa, nu = 0.3; torsion by the series, GA along y from a fine
+// section analysis
+static void the_law_of_a_strip(void)
+{
+    const material m = {.E = 1e6, .nu = 0.3};
+    const shape quad = SHAPE_QUAD;
+    const int nx = 6, order = 3, wide = nx * order + 1, nelem = nx;
+    const segment_load load = {.name = "torque", .moment = {0, 0, 1e-4}};
+    double node[ELEMENT_MAX_ORDER + 1];
+    column_model model = {0};
+    segment_result r = {0};
+    gauss_lobatto_nodes(order + 1, node);
+    CHECK_OK(mesh_make(order, wide * (order + 1), 1, &quad, &nelem, &model.plane));
+    for (int i = 0; i < wide * (order + 1); i++) {
+        const int k = i % wide, e = k == wide - 1 ? nx - 1 : k / order;
+        model.plane.xyz[3 * i] = 4e-3 * ((e + (node[k - e * order] + 1) / 2) / nx - 0.5);
+        model.plane.xyz[3 * i + 1] = 0.5e-3 * node[i / wide];
+    }
+    for (int e = 0; e < nx; e++) {
+        for (int i = 0; i < 16; i++) {
+            model.plane.block[0].conn[16 * e + i] = e * order + i % 4 + wide * (i / 4);
+        }
+    }
+    CHECK_OK(extrude_plainly(8, 8, 20e-3, &model));
+    model.model.materials = &m;
+    CHECK_OK(solve(&model, &load, ORIGIN, &r));
+    printf("strip: GJ to %.1e, GA to %.1e\n", 1e6 * r.law.K.a[MZ][MZ] / 0.4320199359 - 1,
+           r.law.K.a[NY][NY] / 0.89800 - 1);
+    CHECK_NEAR(r.law.K.a[NZ][NZ], 4.0, 1e-5);
+    CHECK_NEAR(r.law.K.a[MX][MX], 1e-6 * 4.0 / 12, 1e-5);
+    CHECK_NEAR(r.law.K.a[MY][MY], 1e-6 * 64.0 / 12, 1e-5);
+    CHECK_NEAR(r.law.K.a[MZ][MZ], 1e-6 * 0.4320199359, 3e-4);
+    CHECK_NEAR(r.law.K.a[NY][NY], 0.89800, 1e-3); // the reference's own figures
+    segment_result_free(&r);
+    column_model_free(&model);
+}
+
+// with one material the uniform traction is the E-proportional one
+static void uniform_traction_of_one_material(void)
+{
+    const polar_segment s = tube();
+    const segment_load load = {.name = "force", .force = {0.01, -0.02, -0.3}};
+    segment_result r[2] = {{0}, {0}};
+    for (int i = 0; i < 2; i++) {
+        column_model m = {0};
+        CHECK_OK(polar_model(&s, &rubber, BASE_CLAMPED, i ? TIP_UNIFORM : TIP_E_PROPORTIONAL, &m));
+        CHECK_OK(solve(&m, &load, ORIGIN, &r[i]));
+        column_model_free(&m);
+    }
+    if (r[0].load && r[1].load) {
+        CHECK_NEAR(r[1].load[0].shortening, r[0].load[0].shortening, 1e-10);
+        CHECK_NEAR(r[1].load[0].strain_energy, r[0].load[0].strain_energy, 1e-10);
+        CHECK_NEAR(r[1].load[0].tip_displacement[1], r[0].load[0].tip_displacement[1], 1e-10);
+        CHECK_NEAR(r[1].load[0].mid_curvature[0], r[0].load[0].mid_curvature[0], 1e-10);
+    }
+    segment_result_free(&r[0]);
+    segment_result_free(&r[1]);
+}
+
+// of two materials: the resultant acts at the area's centroid, and nowhere else
+static void uniform_traction_of_two_materials(void)
+{
+    polar_segment s = fig4_segment();
+    const material both[2] = {rubber, {.E = 15.93e6, .nu = 0.3}};
+    const segment_load force = {.name = "force", .force = {0, 0, -0.5}};
+    const segment_load moment = {.name = "moment", .moment = {0, 1e-3, 0}};
+    const double centre[2] = {-2.1232763e-3, 0};
+    column_model m = {0};
+    segment_result r = {0};
+    s.order = 2;
+    CHECK_OK(polar_model(&s, both, BASE_CLAMPED, TIP_UNIFORM, &m));
+    CHECK(solve(&m, &force, centre, &r) == ERR_INPUT);
+    status_clear();
+    CHECK(solve(&m, &moment, ORIGIN, &r) == ERR_INPUT);
+    status_clear();
+    CHECK_OK(solve(&m, &force, ORIGIN, &r));
+    if (r.load) {
+        CHECK_WITHIN(r.load[0].point[0], 0, 1e-8);
+        // physics, section 4 of the paper's facts: 0.638 mm is the mean tip displacement under
+        // uniform pressure
+        CHECK_NEAR(r.load[0].strain_energy, 0.5 * 0.5 * 0.638e-3, 5e-3);
+    }
+    segment_result_free(&r);
+    column_model_free(&m);
+}
+
+int main(void)
+{
+    a_tube_twists_by_T_L_over_GJ();
+    the_law_of_a_tube(0.3, 2.3432918532015687, 60.26661217321418);
+    the_law_of_a_tube(0.45, 2.1005118041115174, 54.0321350518472);
+    the_law_of_a_strip();
+    uniform_traction_of_one_material();
+    uniform_traction_of_two_materials();
+    return test_failures != 0;
+}
