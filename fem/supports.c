@@ -195,8 +195,10 @@ status supports_pattern(const supports *s, const column *c, supports_share share
         }
     }
     if (s->cap && share.last == s->nblock) {
-        own[s->cap_block - share.first] = 2;
-        own[s->cap_block + 1 - share.first] = 1;
+        const int cap = s->cap_block - share.first;
+        own[cap] = 2;
+        own[cap + 1] = 1;
+        beyond[cap] = beyond[cap + 1] = 0;
     }
 
 done:

@@ -4,12 +4,13 @@
 
 #include "io/case_tree.h"
 
-// Fills cfg->text and length from cfg->path ("-" is stdin), reading no more than CONFIG_MAX_BYTES. ERR_INPUT where there is no
-// such file, a directory, or more than that.
+// Fills cfg->text and length from cfg->path ("-" is stdin), reading no more than CONFIG_MAX_BYTES.
+// ERR_INPUT where there is no such file, a directory, or more than that.
 status case_text_load(config *cfg);
 
-// ERR_INPUT for what no case holds: bytes that are not UTF-8, control characters, a tab in the indentation of a line, a YAML
-// directive. override: which --set the text is the value of, -1 for the file.
+// ERR_INPUT for what no case holds: bytes that are not UTF-8, control characters, a tab in the
+// indentation of a line, a YAML directive. override: which --set the text is the value of, -1 for
+// the file.
 status case_text_check(const config *cfg, const char *text, size_t length, int override);
 
 // Bytes of a byte order mark at the start: 0 or 3.

@@ -20,11 +20,13 @@ struct node {
         node *first;
         const char *text;
     };
-    int text_column; // scalar: the column of the text's first character; 0 where text and file do not run side by side
+    int text_column; // scalar: the column of the text's first character; 0 where text and file do
+                     // not run side by side
     bool plain;      // scalar: not in quotes
 };
 
-// A place inside the value of an override has the line OVERRIDE_LINE + index of the override; override -1 is the file.
+// A place inside the value of an override has the line OVERRIDE_LINE + index of the override;
+// override -1 is the file.
 enum { OVERRIDE_LINE = 1 << 28 };
 
 static inline mark case_mark(int override, mark in_text)

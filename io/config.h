@@ -1,7 +1,9 @@
 // io/config.h
-// A case file: YAML by libyaml's events into a plain tree with line and column, typed by key tables (base/key.h).
+// A case file: YAML by libyaml's events into a plain tree with line and column, typed by key tables
+// (base/key.h).
 //
-// Every mistake is ERR_INPUT with one message "FILE:LINE:COL: error: ...". libyaml and muParser stay behind io's doors.
+// Every mistake is ERR_INPUT with one message "FILE:LINE:COL: error: ...". libyaml and muParser
+// stay behind io's doors.
 #pragma once
 
 #include "base/key.h"
@@ -18,8 +20,10 @@ enum {
     CONFIG_MAX_EXPRESSION = 1000, // characters
 };
 
-// path "-" reads stdin. overrides: "section.shapes.1.sector.width_rad=pi/16" each, from --set; their place in messages is
-// "--set 'TEXT'". A missing or unreadable file is ERR_INPUT too.
+// path "-" reads stdin. overrides: "section.shapes.1.sector.width_rad=pi/16" each, from --set: maps
+// that are missing are made, a key replaces the same one in another unit, an entry of a list goes
+// by its number from 0 or by its `name`. Their place in messages is "--set 'TEXT'" (their marks
+// have lines of 1 << 28 and more). A missing or unreadable file is ERR_INPUT too.
 status config_open(const char *path, int noverride, const char *const *overrides, config **out);
 void config_free(config *cfg);
 
@@ -27,25 +31,34 @@ const char *config_path(const config *cfg);
 // The case's bytes as read, for the result store (overrides not applied).
 const char *config_text(const config *cfg, size_t *length);
 
-// Binds a constant (pi is there already) for expressions; call before config_read.
-void config_set_length(config *cfg, double L_m); // the name L, in the unit of the key that the expression stands in:
-                                                 // `station_mm: L/2` reads L in mm, and so s in `mid_angle_rad: pi*s/L` is
-                                                 // in m as L is (a ratio)
+// The length of the rod, as L in expressions; call before config_read. Wherever a number stands,
+// arithmetic may stand (io/expression.h). Under a key with a unit of length L and s have that unit:
+// `end_mm: L/2`, `radius_mm: 3 + s/40`. Under any other key they are in metres; there only ratios
+// are of use: `mid_angle_rad: pi*s/L`. s may stand only in a KEY_FIELD, whose `at` takes s in
+// metres and gives SI; its range is checked at 17 arclengths from 0 to L. A field belongs to the
+// config and to one thread at a time.
+void config_set_length(config *cfg, double L_m);
 
-// Reads one number ahead of the others (the rod's length), SI; *found false when the path is not there.
-status config_peek_real(const config *cfg, const char *dotted_path, const key *k, double *value, bool *found);
+// Reads one number ahead of the others (the rod's length), SI; *found false when it is not there.
+// dotted_path: the map it stands in ("rod"), or that and the key without its unit ("rod.length").
+status config_peek_real(const config *cfg, const char *dotted_path, const key *k, double *value,
+                        bool *found);
 
-// Fills `out` (a struct of root->size bytes, defaults taken from root->initial) from the whole file. Unknown keys are errors with
-// the nearest known one. Texts, rows and lists belong to the config.
+// Fills `out` (a struct of root->size bytes, defaults taken from root->initial) from the whole
+// file. Unknown keys are errors with the nearest known one. Texts, rows and lists belong to the
+// config. KEY_ROWS also takes one row without the outer brackets. A table in place begins with its
+// own defaults only where no table around it has defaults.
 status config_read(config *cfg, const key_table *root, void *out);
 
 // "FILE:LINE:COL: error: " + words, for contradictions found after reading. Always ERR_INPUT.
-status config_fail(const config *cfg, mark at, const char *format, ...) __attribute__((format(printf, 3, 4)));
+status config_fail(const config *cfg, mark at, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
 
-// The table as JSON Schema (draft 2020-12) on `stream`, and as Markdown for docs/.
+// The table as JSON Schema (draft 2020-12), and as Markdown for docs/ on a FILE.
 struct json;
 status schema_write(const key_table *root, struct json *out);
 status schema_markdown(const key_table *root, void *stdio_stream);
 
-// All names under which a key may be written ("length_mm", ...) with the factor to SI; count of them.
+// All names under which a key may be written ("length_mm", ...) with the factor to SI; count of
+// them.
 int key_spellings(const key *k, int max, char (*names)[64], double *factor);

@@ -1,5 +1,6 @@
 // io/expression_scan.h
-// Looks through an expression before muParser sees it: only known names, operators that compute, one result.
+// Looks through an expression before muParser sees it: only known names, operators that compute,
+// one result.
 #pragma once
 
 #include "io/expression.h"

@@ -1,6 +1,7 @@
 // io/json.h
-// A JSON writer that cannot write an unbalanced or invalid document: exactly one document, numbers with 17 digits
-// where needed (shortest that reads back), NaN and infinities as null, UTF-8 checked.
+// A JSON writer that cannot write an unbalanced or invalid document: exactly one document, numbers
+// with 17 digits where needed (shortest that reads back), NaN and infinities as null, UTF-8
+// checked.
 #pragma once
 
 #include "base/dense.h"
@@ -12,10 +13,10 @@
 typedef struct json json;
 
 status json_open(FILE *stream, json **out); // stream stays the caller's
-status json_close(json *j);                 // ends the document with a newline, flushes, frees; first error seen
+status json_close(json *j); // ends the document with a newline, flushes, frees; first error seen
 
-// key is NULL inside arrays and at the top. Misuse and failed writes are kept and come back from json_close. A text of NULL is
-// written as null; bytes that are not UTF-8 become U+FFFD.
+// key is NULL inside arrays and at the top. Misuse and failed writes are kept and come back from
+// json_close. A text of NULL is written as null; bytes that are not UTF-8 become U+FFFD.
 void json_object(json *j, const char *key);
 void json_object_end(json *j);
 void json_array(json *j, const char *key);

@@ -30,10 +30,14 @@ static void put_limits(FILE *stream, const key *k, const unit *u)
 static void put_value(FILE *stream, const key *k)
 {
     static const char *const kinds[] = {
-        [KEY_REAL] = "number",        [KEY_INTEGER] = "whole number",
-        [KEY_FLAG] = "true or false", [KEY_TEXT] = "text",
-        [KEY_NAME] = "name",          [KEY_FIELD] = "number or expression in s",
-        [KEY_TABLE] = "map of",          [KEY_LIST] = "list of",
+        [KEY_REAL] = "number",
+        [KEY_INTEGER] = "whole number",
+        [KEY_FLAG] = "true or false",
+        [KEY_TEXT] = "text",
+        [KEY_NAME] = "name",
+        [KEY_FIELD] = "number or expression in s",
+        [KEY_TABLE] = "map of",
+        [KEY_LIST] = "list of",
         [KEY_NAMED] = "map from names to",
     };
     const unit *units = NULL;

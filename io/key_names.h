@@ -1,5 +1,6 @@
 // io/key_names.h
-// Keys as a person writes them: name and unit, the unit's factor, and what to say when it is neither.
+// Keys as a person writes them: name and unit, the unit's factor, and what to say when it is
+// neither.
 #pragma once
 
 #include "io/case_tree.h"
@@ -17,7 +18,8 @@ typedef struct unit {
 // The units of a dimension, the most usual one first; at least one.
 int unit_list(dimension d, const unit **list);
 
-// By division where the factor is one over a whole number, so that 3.6 mm is exactly the double next to 0.0036.
+// By division where the factor is one over a whole number, so that 3.6 mm is exactly the double
+// next to 0.0036.
 double unit_to_si(const unit *u, double value);
 double unit_from_si(const unit *u, double value);
 
@@ -30,7 +32,8 @@ const key *key_find(const key_table *table, const char *written, const unit **u)
 // "a_mm, a_m, a_cm, a_um"
 void key_all_spellings(const key *k, char *words, size_t size);
 
-// ERR_INPUT for an entry that key_find does not know: misspelled, without its unit, with a unit that is not known.
+// ERR_INPUT for an entry that key_find does not know: misspelled, without its unit, with a unit
+// that is not known.
 status key_unknown(const config *cfg, const key_table *table, const node *entry);
 
 // Whether both are the same name with two units of one dimension ("length_mm", "length_m").

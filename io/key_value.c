@@ -299,7 +299,8 @@ status value_rows(const value_key *v, const node *n, key_rows *out)
     const int ncol = v->k->count > 0 ? v->k->count : row->kind == NODE_LIST ? row->count : 1;
     const int nrow = flat ? 1 : n->count;
     status st = OK;
-    TRY(value_count(v, n, nrow));
+    // a flat list without a fixed length is a list of entries too (stations)
+    TRY(value_count(v, n, flat && v->k->count == 0 ? n->count : nrow));
     TRY(check_rows(v, row, nrow, ncol));
     *out = (key_rows){.at = n->at, .nrow = nrow, .ncol = ncol};
     TRY(ARENA_TAKE(v->cfg->memory, out->a, (size_t)nrow * (size_t)ncol));

@@ -12,7 +12,8 @@ typedef struct value_key {
     const char *written; // the key as it stands in the case
 } value_key;
 
-// ERR_INPUT with the node's place, or the very character inside of it, for what is not the kind, or out of range.
+// ERR_INPUT with the node's place, or the very character inside of it, for what is not the kind, or
+// out of range.
 status value_real(const value_key *v, const node *n, double *out);
 status value_integer(const value_key *v, const node *n, int *out);
 status value_flag(const value_key *v, const node *n, bool *out);

@@ -9,6 +9,7 @@ typedef struct name_set {
     struct name_slot *slots;
 } name_set;
 
-// *before is the entry of `map` that has the key of `entry` already; NULL when there is none, and `entry` is added.
+// *before is the entry of `map` that has the key of `entry` already; NULL when there is none, and
+// `entry` is added.
 status name_set_add(name_set *set, const node *map, const node *entry, const node **before);
 void name_set_free(name_set *set);

@@ -29,8 +29,8 @@ int nearest_distance(const char *a, const char *b)
     for (size_t i = 1; i <= na; i++) {
         now[0] = (int)i;
         for (size_t j = 1; j <= nb; j++) {
-            now[j] =
-                smaller(smaller(last[j], now[j - 1]) + 1, last[j - 1] + (lower(a[i - 1]) != lower(b[j - 1])));
+            now[j] = smaller(smaller(last[j], now[j - 1]) + 1,
+                             last[j - 1] + (lower(a[i - 1]) != lower(b[j - 1])));
             if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) {
                 now[j] = smaller(now[j], before[j - 2] + 1);
             }
@@ -45,7 +45,8 @@ int nearest_distance(const char *a, const char *b)
 
 nearest nearest_to(const char *written)
 {
-    // one slip in three letters is still a misspelling (one in two for the shortest), more is another word
+    // one slip in three letters is still a misspelling (one in two for the shortest), more is
+    // another word
     const int near_enough = (int)(strlen(written) / 3) + (strlen(written) == 2);
     return (nearest){.written = written, .distance = near_enough + 1};
 }

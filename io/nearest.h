@@ -18,6 +18,6 @@ void nearest_offer(nearest *n, const char *candidate, const char *shown);
 // " (did you mean 'X'?)", or "" when nothing is near.
 const char *nearest_words(const nearest *n, char words[NEAREST_WORDS]);
 
-// Insertions, removals, replacements and swaps of neighbours that turn one into the other; both under NEAREST_NAME bytes, else
-// a large number. Capital and small letters count as the same.
+// Insertions, removals, replacements and swaps of neighbours that turn one into the other; both
+// under NEAREST_NAME bytes, else a large number. Capital and small letters count as the same.
 int nearest_distance(const char *a, const char *b);

@@ -3,6 +3,7 @@
 
 #include "base/memory.h"
 #include "meshes/curved.h"
+#include "meshes/free_check.h"
 #include "meshes/free_child.h"
 #include "meshes/outline.h"
 #include "meshes/plane_shapes.h"
@@ -12,127 +13,22 @@
 #include <math.h>
 #include <stdlib.h>
 
-// An element's det J may fall to this part of its mean. Below, the curves are divided more finely:
-// at 0 an element inverts, and the condition of the element's matrices grows with the inverse.
+// An element's det J may fall to this part of its mean. Below, shorter edges are asked for: at 0 an
+// element inverts, and the condition of its matrices grows with the inverse.
 static const double LEAST_JACOBIAN = 0.1;
 
-// halvings of the edges along curves before giving up
-enum { MOST_TRIES = 7 };
-
-// OpenCASCADE integrates areas to better than this, and places intersections to 1e-7
-static const double AREA_TOLERANCE = 1e-6;
-
-// --- what gmsh answered
-
-static void turn_triangles(plane_pieces *p)
-{
-    for (int k = 0; k < p->ntriangle; k++) {
-        int *c = p->corner + 3 * (size_t)k;
-        const double *x = p->xy + 2 * (size_t)c[0], *y = p->xy + 2 * (size_t)c[1],
-                     *z = p->xy + 2 * (size_t)c[2];
-        if ((y[0] - x[0]) * (z[1] - x[1]) < (z[0] - x[0]) * (y[1] - x[1])) {
-            const int swap = c[1];
-            c[1] = c[2];
-            c[2] = swap;
-        }
-    }
-}
-
-// every face is filled to its exact area
-static status check_areas(const section_outline *o, const plane_pieces *p, const curved_sides *s)
-{
-    status st = OK;
-    double *area = NULL;
-    TRY(TAKE(area, (size_t)p->nface));
-    for (int k = 0; k < p->ntriangle; k++) {
-        area[p->face[k]] += curved_triangle_area(p, s, k);
-    }
-    for (int f = 0; f < p->nface; f++) {
-        // of the face, and of a boundary that is off by the tolerance all around
-        const double allowed = AREA_TOLERANCE * (p->area[f] + sqrt(p->area[f]));
-        if (!(fabs(area[f] - p->area[f]) <= allowed)) {
-            TRY(outline_fail(&o->items[p->owner[f]], p->owner[f],
-                             "the free mesher filled an area of %.9g instead of %.9g (of the "
-                             "section's size squared); the shapes meet at too small an angle or "
-                             "gap there",
-                             area[f], p->area[f]));
-        }
-    }
-
-done:
-    free(area);
-    return st;
-}
-
-// the owner by gmsh's books is the shape on top in the middle of an element of the face
-static status check_owners(const section_outline *o, const plane_pieces *p, const curved_sides *s)
-{
-    status st = OK;
-    const double middle[3] = {1.0 / 3, 1.0 / 3, 1.0 / 3};
-    bool *agrees = NULL;
-    TRY(TAKE(agrees, (size_t)p->nface));
-    for (int k = 0; k < p->ntriangle; k++) {
-        const int f = p->face[k];
-        if (!agrees[f]) {
-            double x[2];
-            curved_triangle_point(p, s, k, middle, x);
-            agrees[f] = section_top_shape(o, x[0] * o->size, x[1] * o->size) == p->owner[f];
-        }
-    }
-    for (int f = 0; f < p->nface; f++) {
-        if (!agrees[f]) {
-            TRY(status_fail(ERR_NUMERIC, "the free mesher gave an area to shape %d that is not its",
-                            p->owner[f] + 1));
-        }
-    }
-
-done:
-    free(agrees);
-    return st;
-}
-
-// --- curved elements that all but invert: shorter edges are asked for there
-
-// half the length at the bent sides of bad elements; *count of such elements, *worst the last of
-// them
-static status refine_at_bad(const mesh *m, const plane_pieces *p, const curved_sides *s,
-                            plane_request *r, int *count, int *worst)
-{
-    status st = OK;
-    double least = INFINITY;
-    *count = 0;
-    TRY(mesh_min_jacobian(m, &least));
-    for (int k = 0; k < m->block[0].nelem && !(least >= LEAST_JACOBIAN); k++) {
-        // a view of one element
-        mesh one = *m;
-        one.block[0].nelem = 1;
-        one.block[0].conn += (size_t)k * (size_t)one.block[0].per_elem;
-        double ratio = 0;
-        TRY(mesh_min_jacobian(&one, &ratio));
-        if (ratio >= LEAST_JACOBIAN) {
-            continue;
-        }
-        *worst = k;
-        ++*count;
-        for (int i = 0; i < 3; i++) {
-            const int edge = s->edges.of[3 * k + i], *end = s->edges.end[edge];
-            if (s->bend[edge].curve >= 0 && s->bend[edge].round) {
-                const double *x = p->xy + 2 * (size_t)end[0], *y = p->xy + 2 * (size_t)end[1];
-                TRY(plane_add_source(r, (x[0] + y[0]) / 2, (x[1] + y[1]) / 2,
-                                     hypot(y[0] - x[0], y[1] - x[1]) / 2));
-            }
-        }
-    }
-
-done:
-    return st;
-}
+enum {
+    MOST_TRIES = 8, // each halves the edges where elements are bad
+    MOST_SOURCES = 2000,
+};
 
 typedef struct attempt {
     plane_pieces pieces;
     curved_sides sides;
-    mesh m, judged; // judged: at order 2 for a mesh of order 1, whose elements do not show how
-                    // their curves lie
+    mesh m, judged; // judged: of order 2 where m is of order 1 and does not show how its curves lie
+    int nbad;       // elements or faces
+    int bad_face;   // one of them
+    double at[2];   // a place there
 } attempt;
 
 static void attempt_free(attempt *a)
@@ -141,23 +37,101 @@ static void attempt_free(attempt *a)
     curved_sides_free(&a->sides);
     mesh_free(&a->m);
     mesh_free(&a->judged);
+    *a = (attempt){0};
 }
 
-static status try_once(const section_outline *o, plane_request *request, int order, attempt *a)
+// half the length at the bent sides of a bad triangle
+static status refine_triangle(attempt *a, plane_request *r, int triangle)
 {
     status st = OK;
-    TRY(free_child_run(request, &a->pieces));
+    const curved_sides *s = &a->sides;
+    for (int i = 0; i < 3; i++) {
+        const int edge = s->edges.of[3 * triangle + i], *end = s->edges.end[edge];
+        const double *x = a->pieces.xy + 2 * (size_t)end[0], *y = a->pieces.xy + 2 * (size_t)end[1];
+        a->bad_face = a->pieces.face[triangle];
+        a->at[0] = x[0];
+        a->at[1] = x[1];
+        if (s->bend[edge].curve >= 0 && s->bend[edge].round && r->nsource < MOST_SOURCES) {
+            TRY(plane_add_source(r, (x[0] + y[0]) / 2, (x[1] + y[1]) / 2,
+                                 hypot(y[0] - x[0], y[1] - x[1]) / 2));
+        }
+    }
+
+done:
+    return st;
+}
+
+// Faces that are not filled: the chords of their curves cross one another or another curve.
+static status refine_unfilled(attempt *a, plane_request *r)
+{
+    status st = OK;
+    bool *unfilled = NULL;
+    const int before = r->nsource;
+    TRY(TAKE(unfilled, (size_t)a->pieces.nface));
+    TRY(pieces_find_unfilled(&a->pieces, &a->sides, unfilled, &a->nbad));
+    for (int f = 0; f < a->pieces.nface; f++) {
+        a->bad_face = unfilled[f] ? f : a->bad_face;
+    }
+    for (int k = 0; k < a->pieces.ntriangle; k++) {
+        if (unfilled[a->pieces.face[k]]) {
+            TRY(refine_triangle(a, r, k));
+        }
+    }
+    // a face without any triangle does not say where: all arcs become finer
+    if (a->nbad > 0 && r->nsource == before) {
+        r->angle /= 2;
+    }
+
+done:
+    free(unfilled);
+    return st;
+}
+
+// Curved elements that invert or all but invert.
+static status refine_inverted(attempt *a, plane_request *r)
+{
+    status st = OK;
+    const mesh *m = a->m.order == 1 ? &a->judged : &a->m;
+    double least = INFINITY;
+    TRY(mesh_min_jacobian(m, &least));
+    for (int k = 0; k < m->block[0].nelem && !(least >= LEAST_JACOBIAN); k++) {
+        // a view of one element
+        mesh one = *m;
+        one.block[0].nelem = 1;
+        one.block[0].conn += (size_t)k * (size_t)one.block[0].per_elem;
+        double ratio = 0;
+        TRY(mesh_min_jacobian(&one, &ratio));
+        if (!(ratio >= LEAST_JACOBIAN)) {
+            a->nbad++;
+            TRY(refine_triangle(a, r, k));
+        }
+    }
+
+done:
+    return st;
+}
+
+// One mesh, and what to ask for in the next one where it is bad.
+static status try_once(const section_outline *o, plane_request *r, int order, attempt *a)
+{
+    status st = OK;
+    TRY(free_child_run(r, &a->pieces));
     if (a->pieces.ntriangle > SECTION_MOST_ELEMENTS) {
         TRY(status_fail(ERR_INPUT, "mesh: its size asks for more than %d elements",
                         SECTION_MOST_ELEMENTS));
     }
-    turn_triangles(&a->pieces);
+    TRY(pieces_check_indices(&a->pieces));
+    TRY(pieces_turn_faces(&a->pieces));
     TRY(curved_sides_make(&a->pieces, o, &a->sides));
-    TRY(check_areas(o, &a->pieces, &a->sides));
+    TRY(refine_unfilled(a, r));
+    if (a->nbad > 0) {
+        goto done;
+    }
     TRY(curved_mesh_make(&a->pieces, o, &a->sides, order, &a->m));
     if (order == 1) {
         TRY(curved_mesh_make(&a->pieces, o, &a->sides, 2, &a->judged));
     }
+    TRY(refine_inverted(a, r));
 
 done:
     return st;
@@ -175,40 +149,35 @@ done:
     return st;
 }
 
-static status fail_at(const section_outline *o, const attempt *a, int worst)
+static status fail_at(const section_outline *o, const attempt *a)
 {
-    const mesh_block *b = &a->m.block[0];
-    const double *x = a->m.xyz + 3 * (size_t)b->conn[(size_t)worst * (size_t)b->per_elem];
-    const int owner = a->pieces.owner[a->pieces.face[worst]];
+    const int owner = a->pieces.owner[a->bad_face];
     return outline_fail(&o->items[owner], owner,
-                        "near (%g, %g) mm its curved edge meets another edge at too small an angle "
-                        "or gap to be meshed",
-                        x[0] * 1e3, x[1] * 1e3);
+                        "near (%g, %g) mm its edge meets another edge at too small an angle or gap "
+                        "to be meshed",
+                        a->at[0] * o->size * 1e3, a->at[1] * o->size * 1e3);
 }
 
 status free_mesh_make(const section_outline *o, const mesh_options *options, mesh *out, int **owner)
 {
     status st = OK;
-    attempt a = {0};
-    plane_request request = {.divide = plane_divide,
+    attempt a = {.nbad = 1};
+    plane_request request = {.check = plane_check,
+                             .parts = plane_parts,
                              .size_at = plane_size_at,
                              .length = sizing_length(options, o->size) / o->size,
                              .angle = sizing_angle(options)};
-    int bad = 1, worst = 0;
 
     TRY(section_check_thickness(o));
     TRY(plane_shapes_make(o, &request));
-    for (int k = 0; k < MOST_TRIES && bad > 0; k++) {
+    for (int k = 0; k < MOST_TRIES && a.nbad > 0; k++) {
         attempt_free(&a);
-        a = (attempt){0};
         TRY(try_once(o, &request, options->order, &a));
-        TRY(refine_at_bad(options->order == 1 ? &a.judged : &a.m, &a.pieces, &a.sides, &request,
-                          &bad, &worst));
     }
-    if (bad > 0) {
-        TRY(fail_at(o, &a, worst));
+    if (a.nbad > 0) {
+        TRY(fail_at(o, &a));
     }
-    TRY(check_owners(o, &a.pieces, &a.sides));
+    TRY(pieces_check_owners(&a.pieces, &a.sides, o));
     TRY(take_owners(&a.pieces, owner));
     *out = a.m;
     a.m = (mesh){0};

@@ -32,7 +32,7 @@ typedef struct plane_pieces {
     double *length; // [ncurve]
     double *probe;  // [ncurve][CURVE_PROBES][2] points along it, equally spaced, both ends included
     int nnode, ntriangle, nsegment;
-    double *xy;   // [nnode][2]
+    double *xy;   // [nnode][2]; some belong to no triangle
     int *corner;  // [ntriangle][3]
     int *face;    // [ntriangle]
     int *segment; // [nsegment][2] nodes of element edges that follow curves
@@ -52,10 +52,11 @@ struct plane_request {
     int nsource;
     double *
         source; // [nsource][3] x, y and the edge length wanted there; it may grow with the distance
-    // Asked before meshing, with faces and curves known: parts [ncurve] equal edges of each curve,
-    // 0 where `size_at` decides.
-    status (*divide)(plane_request *r, const plane_pieces *p, int *parts);
-    const plane_pieces *known; // what `divide` was asked about
+    const plane_pieces *known; // faces and curves, for the questions below
+    // Asked once before meshing, with faces and curves known; it keeps them in `known`. May refuse.
+    status (*check)(plane_request *r, const plane_pieces *p);
+    // Equal edges of a curve, 0 where `size_at` decides.
+    int (*parts)(const plane_request *r, int curve);
     // gmsh's question for an edge length; `request` is the plane_request.
     double (*size_at)(int dim, int tag, double x, double y, double z, void *request);
 };

@@ -39,11 +39,10 @@ static status start(const plane_request *r)
         const char *name;
         double value;
     } options[] = {
-        {"General.Terminal", 0},        {"General.NumThreads", 1},
+        {"General.Terminal", 0},
         {"Mesh.Algorithm", 6}, // frontal Delaunay
-        {"Mesh.RandomSeed", 1},         {"Mesh.MeshSizeExtendFromBoundary", 1},
-        {"Mesh.MeshSizeFromPoints", 0}, {"Mesh.MeshSizeMax", r->length},
-        {"Mesh.ElementOrder", 1},       {"Geometry.OCCFixDegenerated", 0},
+        {"Mesh.MeshSizeFromPoints", 0},
+        {"Mesh.MeshSizeMax", r->length},
     };
     char name[] = "stiffaxis", *arguments[] = {name, NULL};
     GMSH_TRY(gmshInitialize(1, arguments, 0, &ierr));
@@ -58,38 +57,22 @@ done:
 
 // --- shapes
 
-static status add_point(double x, double y, int *tag)
-{
-    status st = OK;
-    GMSH_TRY(*tag = gmshModelOccAddPoint(x, y, 0, 0, -1, &ierr));
-
-done:
-    return st;
-}
-
+// from, to: points; not used by a full circle
 static status add_side(const plane_side *s, int from, int to, int *curve)
 {
     status st = OK;
+    const double *c = s->centre, dx = s->from[0] - c[0], dy = s->from[1] - c[1], a = atan2(dy, dx);
     int middle[2] = {POINT, 0};
     if (s->kind == SIDE_LINE) {
         GMSH_TRY(*curve = gmshModelOccAddLine(from, to, -1, &ierr));
-        return OK;
+    } else if (s->kind == SIDE_CIRCLE) {
+        GMSH_TRY(*curve =
+                     gmshModelOccAddCircle(c[0], c[1], 0, hypot(dx, dy), -1, a, a + 2 * PI, &ierr));
+    } else {
+        GMSH_TRY(middle[1] = gmshModelOccAddPoint(c[0], c[1], 0, 0, -1, &ierr));
+        GMSH_TRY(*curve = gmshModelOccAddCircleArc(from, middle[1], to, -1, &ierr));
+        GMSH_TRY(gmshModelOccRemove(middle, 2, 0, &ierr));
     }
-    TRY(add_point(s->centre[0], s->centre[1], &middle[1]));
-    GMSH_TRY(*curve = gmshModelOccAddCircleArc(from, middle[1], to, -1, &ierr));
-    GMSH_TRY(gmshModelOccRemove(middle, 2, 0, &ierr));
-
-done:
-    return st;
-}
-
-static status add_circle(const plane_side *s, int *curve)
-{
-    status st = OK;
-    const double dx = s->from[0] - s->centre[0], dy = s->from[1] - s->centre[1];
-    const double start = atan2(dy, dx);
-    GMSH_TRY(*curve = gmshModelOccAddCircle(s->centre[0], s->centre[1], 0, hypot(dx, dy), -1, start,
-                                            start + 2 * PI, &ierr));
 
 done:
     return st;
@@ -101,15 +84,12 @@ static status add_loop(int n, const plane_side *side, int *tag)
     int *points = NULL, *curves = NULL;
     TRY(TAKE(points, (size_t)n));
     TRY(TAKE(curves, (size_t)n));
-    if (side[0].kind == SIDE_CIRCLE) {
-        TRY(add_circle(side, curves));
-    } else {
-        for (int i = 0; i < n; i++) {
-            TRY(add_point(side[i].from[0], side[i].from[1], &points[i]));
-        }
-        for (int i = 0; i < n; i++) {
-            TRY(add_side(&side[i], points[i], points[(i + 1) % n], &curves[i]));
-        }
+    for (int i = 0; i < n && side[i].kind != SIDE_CIRCLE; i++) {
+        const double *x = side[i].from;
+        GMSH_TRY(points[i] = gmshModelOccAddPoint(x[0], x[1], 0, 0, -1, &ierr));
+    }
+    for (int i = 0; i < n; i++) {
+        TRY(add_side(&side[i], points[i], points[(i + 1) % n], &curves[i]));
     }
     GMSH_TRY(*tag = gmshModelOccAddCurveLoop(curves, (size_t)n, -1, &ierr));
 
@@ -275,13 +255,11 @@ done:
 static status divide_curves(plane_request *r, const plane_pieces *p)
 {
     status st = OK;
-    int *parts = NULL;
-    TRY(TAKE(parts, (size_t)p->ncurve));
-    TRY(r->divide(r, p, parts));
+    TRY(r->check(r, p));
     for (int i = 0; i < p->ncurve; i++) {
-        if (parts[i] > 0) {
-            GMSH_TRY(
-                gmshModelMeshSetTransfiniteCurve(p->tag[i], parts[i] + 1, "Progression", 1, &ierr));
+        const int n = r->parts(r, i);
+        if (n > 0) {
+            GMSH_TRY(gmshModelMeshSetTransfiniteCurve(p->tag[i], n + 1, "Progression", 1, &ierr));
         }
     }
     if (r->nsource > 0) {
@@ -289,30 +267,24 @@ static status divide_curves(plane_request *r, const plane_pieces *p)
     }
 
 done:
-    free(parts);
     return st;
 }
 
 // --- mesh
 
-// nodes, and where each of gmsh's node tags went
-static status take_nodes(plane_pieces *out, int **number, size_t *ntag)
+// the nodes at the places of their tags; what no element uses stays 0
+static status take_nodes(plane_pieces *out)
 {
     status st = OK;
     size_t *tags = NULL, n = 0, nxyz = 0, nnone = 0;
     double *xyz = NULL, *none = NULL;
     GMSH_TRY(gmshModelMeshGetNodes(&tags, &n, &xyz, &nxyz, &none, &nnone, -1, -1, 0, 0, &ierr));
     for (size_t i = 0; i < n; i++) {
-        *ntag = tags[i] >= *ntag ? tags[i] + 1 : *ntag;
+        out->nnode = (int)tags[i] >= out->nnode ? (int)tags[i] + 1 : out->nnode;
     }
-    TRY(TAKE(*number, *ntag));
-    memset(*number, 0xff, *ntag * sizeof **number);
-    TRY(TAKE(out->xy, 2 * n));
-    out->nnode = (int)n;
+    TRY(TAKE(out->xy, 2 * (size_t)out->nnode));
     for (size_t i = 0; i < n; i++) {
-        (*number)[tags[i]] = (int)i;
-        out->xy[2 * i] = xyz[3 * i];
-        out->xy[2 * i + 1] = xyz[3 * i + 1];
+        memcpy(out->xy + 2 * tags[i], xyz + 3 * i, 2 * sizeof *xyz);
     }
 
 done:
@@ -323,37 +295,31 @@ done:
 }
 
 // Elements of one type on the entities given: nodes of each in *conn, index of its entity in *of.
-static status take_elements(int type, int nentity, const int *entity, const int *number,
-                            size_t ntag, int *count, int **conn, int **of)
+static status take_elements(int type, int nentity, const int *entity, int *count, int **conn,
+                            int **of)
 {
     status st = OK;
     const size_t per = type == GMSH_LINE ? 2 : 3;
-    size_t *tags = NULL, n = 0, *nodes = NULL, nnode = 0, have = 0;
-    for (int k = 0; k < nentity; k++) {
-        GMSH_TRY(gmshModelMeshGetElementsByType(type, &tags, &n, &nodes, &nnode, entity[k], 0, 1,
-                                                &ierr));
-        int *c = realloc(*conn, (have + n + 1) * per * sizeof *c);
-        *conn = c ? c : *conn;
-        int *f = realloc(*of, (have + n + 1) * sizeof *f);
-        *of = f ? f : *of;
-        if (!c || !f) {
-            TRY(status_fail(ERR_RESOURCE, "out of memory"));
+    size_t *tags = NULL, n = 0, *nodes = NULL, nnode = 0, most = 0;
+    // first all there are, for the room they take
+    for (int k = -1; k < nentity; k++) {
+        GMSH_TRY(gmshModelMeshGetElementsByType(type, &tags, &n, &nodes, &nnode,
+                                                k < 0 ? -1 : entity[k], 0, 1, &ierr));
+        if (k < 0) {
+            most = n;
+            TRY(TAKE(*conn, most * per));
+            TRY(TAKE(*of, most));
         }
-        for (size_t i = 0; i < n * per; i++) {
-            if (nodes[i] >= ntag || number[nodes[i]] < 0) {
-                TRY(status_fail(ERR_BUG, "gmsh gave an element with an unknown node"));
+        for (size_t i = 0; k >= 0 && i < n && (size_t)*count < most; i++, ++*count) {
+            (*of)[*count] = k;
+            for (size_t j = 0; j < per; j++) {
+                (*conn)[(size_t)*count * per + j] = (int)nodes[i * per + j];
             }
-            c[have * per + i] = number[nodes[i]];
         }
-        for (size_t i = 0; i < n; i++) {
-            f[have + i] = k;
-        }
-        have += n;
         gmshFree(tags);
         gmshFree(nodes);
         tags = nodes = NULL;
     }
-    *count = (int)have;
 
 done:
     gmshFree(tags);
@@ -364,8 +330,7 @@ done:
 status gmsh_door_mesh(plane_request *request, plane_pieces *out)
 {
     status st = OK;
-    int *owner = NULL, ntag = 0, *faces = NULL, *number = NULL;
-    size_t nnumber = 0;
+    int *owner = NULL, ntag = 0, *faces = NULL;
 
     *out = (plane_pieces){0};
     TRY(start(request));
@@ -377,15 +342,13 @@ status gmsh_door_mesh(plane_request *request, plane_pieces *out)
     }
     TRY(divide_curves(request, out));
     GMSH_TRY(gmshModelMeshGenerate(2, &ierr));
-    TRY(take_nodes(out, &number, &nnumber));
-    TRY(take_elements(GMSH_TRIANGLE, out->nface, faces, number, nnumber, &out->ntriangle,
-                      &out->corner, &out->face));
-    TRY(take_elements(GMSH_LINE, out->ncurve, out->tag, number, nnumber, &out->nsegment,
-                      &out->segment, &out->curve));
+    TRY(take_nodes(out));
+    TRY(take_elements(GMSH_TRIANGLE, out->nface, faces, &out->ntriangle, &out->corner, &out->face));
+    TRY(take_elements(GMSH_LINE, out->ncurve, out->tag, &out->nsegment, &out->segment,
+                      &out->curve));
 
 done:
     free(owner);
     free(faces);
-    free(number);
     return st;
 }

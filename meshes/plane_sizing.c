@@ -88,8 +88,9 @@ static status check_count(const plane_request *r, const plane_pieces *p)
 }
 
 // how many equal edges a curve takes by the length and the arc
-static double natural_parts(const plane_request *r, const plane_pieces *p, int curve)
+static double natural_parts(const plane_request *r, int curve)
 {
+    const plane_pieces *p = r->known;
     const double turn = turn_of(p->probe + 2 * CURVE_PROBES * (size_t)curve);
     const double closed = turn > PI ? 3 : 1;
     return fmax(fmax(closed, sizing_parts(turn, r->angle)),
@@ -105,36 +106,42 @@ double plane_size_at(int dim, int tag, double x, double y, double z, void *reque
     double size = r->length;
     for (int i = 0; dim == 1 && i < p->ncurve; i++) {
         if (p->tag[i] == tag) {
-            size = p->length[i] / natural_parts(r, p, i);
+            size = p->length[i] / natural_parts(r, i);
         }
     }
     return fmin(size, source_limit(r, at));
 }
 
-status plane_divide(plane_request *r, const plane_pieces *p, int *parts)
+int plane_parts(const plane_request *r, int curve)
+{
+    const plane_pieces *p = r->known;
+    const double n = natural_parts(r, curve);
+    for (int k = 0; k < CURVE_PROBES; k++) {
+        const double *x = p->probe + 2 * (CURVE_PROBES * (size_t)curve + (size_t)k);
+        if (source_limit(r, x) < p->length[curve] / n) {
+            return 0;
+        }
+    }
+    return (int)n;
+}
+
+status plane_check(plane_request *r, const plane_pieces *p)
 {
     status st = OK;
     r->known = p;
     TRY(check_slivers(p));
     TRY(check_count(r, p));
     for (int i = 0; i < p->ncurve; i++) {
-        const double *probe = p->probe + 2 * CURVE_PROBES * (size_t)i;
+        const double *x = p->probe + 2 * CURVE_PROBES * (size_t)i;
         if (p->length[i] < OUTLINE_SLIVER) {
             TRY(status_fail(ERR_INPUT,
                             "the overlaps of the shapes leave an edge at (%g, %g) of the section's "
                             "size that is shorter than %g of it",
-                            probe[0], probe[1], OUTLINE_SLIVER));
+                            x[0], x[1], OUTLINE_SLIVER));
         }
-        const double n = natural_parts(r, p, i);
-        if (!(n < SECTION_MOST_ELEMENTS)) {
+        if (!(natural_parts(r, i) < SECTION_MOST_ELEMENTS)) {
             TRY(status_fail(ERR_INPUT, "mesh: its size asks for more than %d elements",
                             SECTION_MOST_ELEMENTS));
-        }
-        parts[i] = (int)n;
-        for (int k = 0; k < CURVE_PROBES; k++) {
-            if (source_limit(r, probe + 2 * k) < p->length[i] / n) {
-                parts[i] = 0;
-            }
         }
     }
 

@@ -146,8 +146,7 @@ void canvas_unclip(canvas *c)
     cairo_restore(c->cr);
 }
 
-// --- a surface -> bytes -> a file
-// ------------------------------------------------------------------------------------
+// --- a surface -> bytes -> a file ---
 
 static cairo_status_t append(void *closure, const unsigned char *data, unsigned int length)
 {

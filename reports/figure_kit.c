@@ -80,8 +80,7 @@ colour colour_ramp(double t)
     return colour_mix(knots[i], knots[i + 1], at - i);
 }
 
-// --- numbers
-// ---------------------------------------------------------------------------------------------------------
+// --- numbers ---
 
 static void put(number_text *out, const char *word)
 {
@@ -161,8 +160,7 @@ number_text number_fixed(double value, int decimals)
     return typeset(plain);
 }
 
-// --- letters
-// ---------------------------------------------------------------------------------------------------------
+// --- letters ---
 
 void say(canvas *c, double x, double y, text_look look, const char *format, ...)
 {

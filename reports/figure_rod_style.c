@@ -62,7 +62,7 @@ colour rod_ink(const rod_result *rod, int solution)
         return INK_FAINT;
     }
     if (f.count == 1 && f.size > 1) {
-        return colour_ramp(0.88 - 0.88 * part);
+        return colour_ramp(0.8 - 0.8 * part);
     }
     const colour white = {1, 1, 1, 1}, hue = colour_series(f.number);
     return colour_mix(white, hue, 0.45 + 0.55 * part);

@@ -41,8 +41,9 @@ static void measure(rods_sheet *s)
     }
     const double size = fmax(s->most[2] - s->least[2], 1e-6);
     for (int d = 0; d < 3; d++) {
-        s->low[d] = s->least[d];
-        s->high[d] = s->most[d];
+        // room for the base's mark on both sides
+        s->low[d] = fmin(s->least[d], d < 2 ? -pad * size : 0);
+        s->high[d] = fmax(s->most[d], d < 2 ? pad * size : 0);
         range_pad(&s->low[d], &s->high[d], pad, 0.3 * size);
     }
 }
@@ -67,8 +68,7 @@ static void arrange(rods_sheet *s)
     s->high[2] += taller / 2;
 }
 
-// --- projections
-// -----------------------------------------------------------------------------------------------------
+// --- projections ---
 
 static void straight_rod(canvas *c, double x0, double y0, double x1, double y1)
 {
@@ -108,13 +108,12 @@ static void projection(canvas *c, const rods_sheet *s, int axis, box at)
         const vec3 tip = place(s, i, rod->npoint - 1);
         tip_mark(c, plot_x(&p, tip.a[axis]), plot_y(&p, tip.a[2]), rod_ink(rod, i));
     }
-    canvas_unclip(c);
     canvas_rectangle(c, plot_x(&p, 0) - 9, plot_y(&p, 0), 18, 5);
     canvas_fill(c, INK);
+    canvas_unclip(c);
 }
 
-// --- from aside
-// ------------------------------------------------------------------------------------------------------
+// --- from aside ---
 
 typedef struct space {
     canvas *c;

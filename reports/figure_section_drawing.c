@@ -38,8 +38,7 @@ static view fit(const mesh *m, box at)
                   at.y + at.h / 2 + scale * (low[1] + high[1]) / 2};
 }
 
-// --- materials and mesh
-// ----------------------------------------------------------------------------------------------
+// --- materials and mesh ---
 
 static void edge_path(canvas *c, const plane_edges *e, const plane_edge *edge, const view *v,
                       bool on)
@@ -110,35 +109,36 @@ done:
     return st;
 }
 
-// --- centres and axes
-// ------------------------------------------------------------------------------------------------
+// --- centres and axes ---
 
+// the three marks stay told apart where they coincide: the cross reaches out of the diamond, the
+// dot lies in it
 void mark_geometric_centre(canvas *c, double x, double y)
 {
     for (int pass = 0; pass < 2; pass++) {
-        const double r = pass ? 8 : 9.2;
+        const double r = pass ? 11 : 12;
         canvas_segment(c, x - r, y, x + r, y);
         canvas_segment(c, x, y - r, x, y + r);
-        canvas_stroke(c, pass ? INK : (colour){1, 1, 1, 1}, pass ? 1.8 : 4);
+        canvas_stroke(c, pass ? INK : (colour){1, 1, 1, 1}, pass ? 1.7 : 4);
     }
 }
 
 void mark_stiffness_centre(canvas *c, double x, double y)
 {
-    canvas_circle(c, x, y, 5);
-    canvas_fill_stroke(c, INK_ACCENT, (colour){1, 1, 1, 1}, 1.6);
+    canvas_circle(c, x, y, 4.4);
+    canvas_fill_stroke(c, INK_ACCENT, (colour){1, 1, 1, 1}, 1.4);
 }
 
 void mark_shear_centre(canvas *c, double x, double y)
 {
-    const double r = 7.5;
+    const double r = 6.5;
     for (int pass = 0; pass < 2; pass++) {
         canvas_move(c, x - r, y);
         canvas_line(c, x, y - r);
         canvas_line(c, x + r, y);
         canvas_line(c, x, y + r);
         canvas_close(c);
-        canvas_stroke(c, pass ? INK_SECOND : (colour){1, 1, 1, 1}, pass ? 2 : 5);
+        canvas_stroke(c, pass ? INK_SECOND : (colour){1, 1, 1, 1}, pass ? 1.8 : 3);
     }
 }
 
@@ -215,11 +215,11 @@ status section_drawing(canvas *c, const section_sketch *s, box at)
         principal_axis(c, s, &v, s->centres->principal_angle + 0.5 * acos(-1.0), "y′");
     }
     centre_path(c, s, &v);
+    mark_geometric_centre(c, view_x(&v, 0), view_y(&v, 0));
     mark_shear_centre(c, view_x(&v, s->centres->shear_centre[0]),
                       view_y(&v, s->centres->shear_centre[1]));
     mark_stiffness_centre(c, view_x(&v, s->centres->stiffness_centre[0]),
                           view_y(&v, s->centres->stiffness_centre[1]));
-    mark_geometric_centre(c, view_x(&v, 0), view_y(&v, 0));
     corner_axes(c, at);
     scale_bar(c, at.x + at.w - 10, at.y + at.h - 12, 70, v.scale * 1e-3);
 

@@ -78,17 +78,17 @@ static double places(canvas *c, const section_sketch *s, box at, double y)
     mark_shear_centre(c, at.x + 10, y - 4);
     place_row(c, at, y, "shear centre", s->centres->shear_centre);
     y += row + 1;
+    if (s->centres->isotropic) {
+        say(c, at.x, y, LOOK_SMALL, "No preferred axes: every direction bends alike.");
+        return y;
+    }
     canvas_dash(c, 7, 3.5);
     canvas_segment(c, at.x, y - 4, at.x + 22, y - 4);
     canvas_stroke(c, INK_ACCENT, 1.3);
     canvas_dash(c, 0, 0);
-    if (s->centres->isotropic) {
-        say(c, at.x + 30, y, LOOK_TEXT, "no preferred axes: every direction bends alike");
-    } else {
-        say(c, at.x + 30, y, LOOK_TEXT, "principal axes");
-        say(c, at.x + at.w, y, look_aligned(LOOK_TEXT, TEXT_RIGHT), "x′ turned by %s°",
-            number_fixed(s->centres->principal_angle * 180 / acos(-1.0), 3).text);
-    }
+    say(c, at.x + 30, y, LOOK_TEXT, "principal axes");
+    say(c, at.x + at.w, y, look_aligned(LOOK_TEXT, TEXT_RIGHT), "x′ turned by %s°",
+        number_fixed(s->centres->principal_angle * 180 / acos(-1.0), 3).text);
     return y;
 }
 
@@ -112,7 +112,8 @@ static double numbers(canvas *c, const section_sketch *s, box at, double y)
 
     rule(c, at, y + 12);
     y += 32;
-    say(c, at.x, y, LOOK_HEADING, "Stiffness");
+    say(c, at.x, y, LOOK_HEADING, "Stiffness, %s model",
+        s->r->section_model == MODEL_CLASSICAL ? "classical" : "full");
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         y += row;
         say(c, at.x, y, symbol, "%s", rows[i].symbol);

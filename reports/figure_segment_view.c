@@ -3,103 +3,13 @@
 
 #include "reports/fig4_paper.h"
 
-#include <float.h>
 #include <math.h>
 
-static const double elevation = 0.33; // of the eye [rad]
-static const double aside =
-    0.30; // the plane of the largest deflection is turned away by this [rad]
+static const double arrow_length = 46; // [points] of a load along the paper
+// force times length over moment: below it the force is rounding
+static const double pure_moment = 1e-6;
 
-// drawn at true scale when that shows anything
-static const double visible_part = 0.02, wanted_part = 0.08; // of the segment's length
-
-static double choose_azimuth(const run_result *r)
-{
-    double best = 0, angle = 0;
-    for (int i = 0; i < r->segment.nload; i++) {
-        const double *u = r->segment.load[i].tip_displacement;
-        if (hypot(u[0], u[1]) > best) {
-            best = hypot(u[0], u[1]);
-            angle = atan2(u[1], u[0]);
-        }
-    }
-    const double pi = acos(-1.0);
-    if (best <= 1e-3 * r->segment_length) {
-        angle = 0;
-    }
-    // the same line, seen with x to the right rather than to the left
-    return (angle > pi / 2 ? angle - pi : angle <= -pi / 2 ? angle + pi : angle) - aside;
-}
-
-static void grow(segment_scene *s, vec3 p)
-{
-    const vec3 seen = camera_see(&s->camera, p);
-    for (int k = 0; k < 2; k++) {
-        s->low[k] = fmin(s->low[k], seen.a[k]);
-        s->high[k] = fmax(s->high[k], seen.a[k]);
-    }
-}
-
-static void measure(segment_scene *s)
-{
-    const run_result *r = s->r;
-    for (int k = 0; k < 2; k++) {
-        s->low[k] = DBL_MAX;
-        s->high[k] = -DBL_MAX;
-    }
-    for (int i = 0; i < r->segment_mesh.nnode; i++) {
-        const double *x = r->segment_mesh.xyz + 3 * i;
-        const vec3 at = {{x[0], x[1], x[2]}};
-        grow(s, at);
-        for (int l = 0; l < r->segment.nload; l++) {
-            const double *u = r->segment.load[l].displacement + 3 * i;
-            grow(s, vec3_add(at, vec3_scale(s->magnify, (vec3){{u[0], u[1], u[2]}})));
-        }
-    }
-}
-
-status segment_scene_make(const run_result *r, segment_scene *out)
-{
-    status st = OK;
-    segment_scene s = {.r = r, .magnify = 1, .fig4 = fig4_is(r)};
-
-    TRY(plane_edges_make(&r->segment_plane, &s.edges));
-    TRY(plane_loops_make(&s.edges, PLANE_WHOLE, &s.loops));
-    s.camera = camera_from(choose_azimuth(r), elevation);
-    for (int l = 0; l < r->segment.nload; l++) {
-        s.largest =
-            fmax(s.largest, segment_largest_displacement(r, r->segment.load[l].displacement));
-    }
-    if (s.largest > 0 && s.largest < visible_part * r->segment_length) {
-        s.magnify = nice_step(wanted_part * r->segment_length / s.largest, 1);
-    }
-    measure(&s);
-    *out = s;
-    s = (segment_scene){0};
-
-done:
-    segment_scene_free(&s);
-    return st;
-}
-
-void segment_scene_free(segment_scene *s)
-{
-    plane_edges_free(&s->edges);
-    plane_loops_free(&s->loops);
-    *s = (segment_scene){0};
-}
-
-colour segment_colour(const segment_scene *s, double displacement, double light)
-{
-    const colour flat = colour_ramp(s->largest > 0 ? displacement / s->largest : 0);
-    // a narrow range of shade keeps the colour readable against its bar
-    const double shade = 0.84 + 0.18 * fmax(light, 0);
-    const colour dark = {0, 0, 0, 1}, white = {1, 1, 1, 1};
-    return shade < 1 ? colour_mix(dark, flat, shade) : colour_mix(flat, white, shade - 1);
-}
-
-// --- on paper
-// --------------------------------------------------------------------------------------------------------
+// --- on paper ---
 
 typedef struct sheet {
     canvas *c;
@@ -251,6 +161,19 @@ static void tip_borders(const sheet *h, const double *displacement)
     }
 }
 
+// a force pushes at the point; a moment turns about an arrow of two heads that leaves it
+static void draw_load(canvas *c, const double far[2], const double point[2], bool moment)
+{
+    if (!moment) {
+        arrow_bordered(c, far[0], far[1], point[0], point[1], INK_ACCENT, 2.6);
+        return;
+    }
+    const double back = 0.22, x = far[0] + back * (point[0] - far[0]),
+                 y = far[1] + back * (point[1] - far[1]);
+    arrow_bordered(c, point[0], point[1], far[0], far[1], INK_ACCENT, 2.6);
+    arrow(c, point[0], point[1], x, y, INK_ACCENT, 2.6);
+}
+
 // the arrow's point stands on the tip where the load acts, moved along with the tip
 static void load_arrow(const sheet *h, int load)
 {
@@ -264,17 +187,21 @@ static void load_arrow(const sheet *h, int load)
     double at[2], from[2];
     to_sheet(h, point, at);
 
-    vec6 wrench;
-    const bool known = segment_tip_wrench(h->s->r, load, &wrench);
-    const vec3 force = {
-        {known ? wrench.a[0] : 0, known ? wrench.a[1] : 0, known ? wrench.a[2] : 0}};
-    const double size = vec3_norm(force);
+    vec6 w6 = {{0}};
+    if (!segment_tip_wrench(h->s->r, load, &w6)) {
+        return;
+    }
+    const vec3 force = {{w6.a[0], w6.a[1], w6.a[2]}}, moment = {{w6.a[3], w6.a[4], w6.a[5]}};
+    // of a pure moment the solve leaves a force of rounding
+    const bool pure = vec3_norm(force) * h->s->r->segment_length < pure_moment * vec3_norm(moment);
+    const vec3 along = pure ? moment : force;
+    const double size = vec3_norm(along);
     if (size > 0) {
-        const double length = 46 / h->scale;
-        to_sheet(h, vec3_sub(point, vec3_scale(length / size, force)), from);
-        arrow_bordered(h->c, from[0], from[1], at[0], at[1], INK_ACCENT, 2.6);
-        say(h->c, from[0] + 9, from[1] + 6, look_haloed(look_inked(LOOK_HEADING, INK_ACCENT)),
-            "%s N", number_short(size, 3).text);
+        const vec3 step = vec3_scale(arrow_length / h->scale / size, along);
+        to_sheet(h, pure ? vec3_add(point, step) : vec3_sub(point, step), from);
+        draw_load(h->c, from, at, pure);
+        say(h->c, from[0] + 10, from[1] + 6, look_haloed(look_inked(LOOK_HEADING, INK_ACCENT)),
+            pure ? "%s N mm" : "%s N", number_short(pure ? size * 1e3 : size, 3).text);
     }
     canvas_circle(h->c, at[0], at[1], 2.6);
     canvas_fill_stroke(h->c, INK_ACCENT, (colour){1, 1, 1, 1}, 1);

@@ -14,6 +14,7 @@ typedef struct segment_scene {
     double largest;         // end of the common colour scale [m]
     double low[2], high[2]; // what all loads together take on the paper [m]
     bool fig4;
+    bool borders; // the section has more than one material
 } segment_scene;
 
 // Chooses the view, the magnification and the common scales.

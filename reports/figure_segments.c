@@ -8,7 +8,7 @@
 #include <math.h>
 #include <stdio.h>
 
-enum { MAX_PANELS = 6, ROWS = 4 };
+enum { MAX_PANELS = 6, ROWS = 6, PAPER_ROWS = 4 };
 
 static const double side = 28, bar_width = 96, head = 74, view_height = 400, row = 19;
 
@@ -17,12 +17,18 @@ typedef struct layout {
     double panel_width, width, height;
 } layout;
 
+// the paper speaks of the first four only
+static int row_count(const segment_scene *s)
+{
+    return s->fig4 ? PAPER_ROWS : ROWS;
+}
+
 static layout arrange(const segment_scene *s)
 {
     layout l = {.npanel = s->r->segment.nload < MAX_PANELS ? s->r->segment.nload : MAX_PANELS};
     l.panel_width = l.npanel <= 2 ? 418 : 300;
     l.width = 2 * side + bar_width + l.npanel * l.panel_width;
-    l.height = head + view_height + 30 + (ROWS + 1) * row + (s->fig4 ? 82 : 56);
+    l.height = head + view_height + 30 + (row_count(s) + 1) * row + (s->fig4 ? 82 : 56);
     return l;
 }
 
@@ -76,6 +82,13 @@ static void number_rows(const segment_scene *s, int load, number_row rows[ROWS])
     rows[3] = (number_row){"curvature at mid length", paper.mid_curvature, ""};
     (void)snprintf(rows[3].text, sizeof rows[3].text, "%s 1/m",
                    number_fixed(hypot(l->mid_curvature[0], l->mid_curvature[1]), 4).text);
+    rows[4] = (number_row){"tip deflection sideways", NULL, ""};
+    (void)snprintf(
+        rows[4].text, sizeof rows[4].text, "%s mm",
+        number_fixed(hypot(l->tip_displacement[0], l->tip_displacement[1]) * 1e3, 4).text);
+    rows[5] = (number_row){"tip twist", NULL, ""};
+    (void)snprintf(rows[5].text, sizeof rows[5].text, "%s°",
+                   number_fixed(degrees(l->tip_rotation[2]), 3).text);
 }
 
 static void number_table(canvas *c, const segment_scene *s, int load, box at)
@@ -92,7 +105,7 @@ static void number_table(canvas *c, const segment_scene *s, int load, box at)
     }
     canvas_segment(c, at.x, at.y + 6, at.x + at.w, at.y + 6);
     canvas_stroke(c, INK_FAINT, 0.8);
-    for (int i = 0; i < ROWS; i++) {
+    for (int i = 0; i < row_count(s); i++) {
         const double y = at.y + 5 + (i + 1) * row;
         const double taken = canvas_text_width(c, &number_look, rows[i].text) + 8;
         say_within(c, at.x, y, ours - at.x - taken, look_inked(LOOK_SMALL, INK), rows[i].name);
@@ -109,26 +122,21 @@ static void notes(canvas *c, const segment_scene *s, const layout *l, double y)
     static const char *const tip[] = {"rigid cap", "traction proportional to E",
                                       "uniform traction"};
     const run_result *r = s->r;
-    char text[512], left_off[64] = "";
+    char text[512], scale[96] = "at true scale", left_off[64] = "";
+    if (s->magnify != 1) {
+        (void)snprintf(scale, sizeof scale, "%s times larger than they are",
+                       number_digits(s->magnify, 1).text);
+    }
     if (r->segment.nload > l->npanel) {
         (void)snprintf(left_off, sizeof left_off, " The first %d of %d loads.", l->npanel,
                        r->segment.nload);
     }
-    (void)snprintf(
-        text, sizeof text,
-        "Linear elasticity, %d unknowns; base %s; tip: %s. Displacements drawn %s. Dashed: "
-        "undeformed; white lines: borders between materials.%s",
-        r->segment.dofs, base[r->segment_base == BASE_FREE_TO_CONTRACT],
-        tip[(unsigned)r->segment_tip % 3],
-        s->magnify == 1 ? "at true scale" : "larger than they are", left_off);
-    if (s->magnify != 1) {
-        (void)snprintf(
-            text, sizeof text,
-            "Linear elasticity, %d unknowns; base %s; tip: %s. Displacements drawn %s times larger "
-            "than they are. Dashed: undeformed; white lines: borders between materials.%s",
-            r->segment.dofs, base[r->segment_base == BASE_FREE_TO_CONTRACT],
-            tip[(unsigned)r->segment_tip % 3], number_digits(s->magnify, 1).text, left_off);
-    }
+    (void)snprintf(text, sizeof text,
+                   "Linear elasticity, %d unknowns; base %s; tip: %s. Displacements drawn %s. "
+                   "Dashed: undeformed%s.%s",
+                   r->segment.dofs, base[r->segment_base == BASE_FREE_TO_CONTRACT],
+                   tip[(unsigned)r->segment_tip % 3], scale,
+                   s->borders ? "; white lines: borders between materials" : "", left_off);
     y = say_paragraph(c, side, y, l->width - 2 * side, LOOK_SMALL, text);
     if (s->fig4) {
         fig4_note(r, text, sizeof text);
@@ -163,7 +171,7 @@ static status draw(canvas *c, const void *data)
         number_table(c, s, i, (box){at.x, at.y + at.h + 30, at.w - 24, 0});
     }
     colour_bar(c, s, (box){l.width - side - bar_width + 24, head + 90, 16, view_height - 160});
-    notes(c, s, &l, head + view_height + 30 + (ROWS + 1) * row + 18);
+    notes(c, s, &l, head + view_height + 30 + (row_count(s) + 1) * row + 18);
 
 done:
     return st;

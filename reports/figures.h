@@ -5,10 +5,14 @@
 #include "reports/result.h"
 
 // Each writes DIR/<name>.svg and DIR/<name>.png; nothing where the result has no such part.
-status figure_section(const run_result *r, const char *dir);  // section: materials, GC, NC, shear centre, principal axes
-status figure_segments(const run_result *r, const char *dir); // segment: deformed, side by side, with undeformed outline
-status figure_rods(const run_result *r, const char *dir);     // rods: shapes for all tensions, two projections
-status figure_curvature(const run_result *r, const char *dir); // curvature: components and size along s
+status figure_section(const run_result *r,
+                      const char *dir); // section: materials, GC, NC, shear centre, principal axes
+status figure_segments(const run_result *r,
+                       const char *dir); // segment: deformed, side by side, with undeformed outline
+status figure_rods(const run_result *r,
+                   const char *dir); // rods: shapes for all tensions, two projections
+status figure_curvature(const run_result *r,
+                        const char *dir); // curvature: components and size along s
 status figures_all(const run_result *r, const char *dir);
 
 // One self-contained page DIR/report.html with the figures inlined (SVG), tables and numbers.

@@ -12,8 +12,14 @@ static const char *verdict(const run_result *r)
 
 static status key_number(bytes *page, const char *name, const char *value, const char *unit)
 {
-    return bytes_format(page, "<div><dt>%s</dt><dd>%s <small>%s</small></dd></div>\n", name, value,
-                        unit);
+    status st = OK;
+
+    PAGE("<div><dt>");
+    TRY(page_escaped(page, name));
+    PAGE("</dt><dd>%s <small>%s</small></dd></div>\n", value, unit);
+
+done:
+    return st;
 }
 
 static status key_numbers(bytes *page, const run_result *r)
@@ -40,8 +46,9 @@ static status key_numbers(bytes *page, const run_result *r)
     }
     for (int i = 0; r->has_segment && i < r->segment.nload && i < 2; i++) {
         const double *w = r->segment.load[i].tip_rotation;
-        char name[64];
-        (void)snprintf(name, sizeof name, "Segment's tip angle, load %d", i + 1);
+        char name[160];
+        (void)snprintf(name, sizeof name, "Segment's tip angle: %.80s",
+                       r->segment.load[i].name ? r->segment.load[i].name : "load");
         TRY(key_number(page, name, number_fixed(hypot(w[0], w[1]) * 180 / acos(-1.0), 3).text,
                        "deg"));
     }

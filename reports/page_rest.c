@@ -88,9 +88,9 @@ static status materials(bytes *page, const run_result *r)
         const material *m = &r->materials[i];
         PAGE("<tr><td>");
         TRY(page_escaped(page, m->name));
-        PAGE("</td><td>%s</td><td>%s</td><td>%s</td></tr>\n", number_digits(m->E * 1e-6, 5).text,
-             number_digits(m->nu, 4).text,
-             m->linear_strain > 0 ? number_digits(m->linear_strain * 100, 3).text : "not given");
+        PAGE("</td><td>%s</td><td>%s</td><td>%s</td></tr>\n", number_short(m->E * 1e-6, 6).text,
+             number_short(m->nu, 5).text,
+             m->linear_strain > 0 ? number_short(m->linear_strain * 100, 4).text : "not given");
     }
     PAGE("</tbody></table></div>\n");
 

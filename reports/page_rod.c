@@ -47,7 +47,7 @@ static status solution_row(bytes *page, const rod_result *rod, int solution, dou
 
     PAGE("<tr>");
     for (int i = 0; i < rod->ntendon; i++) {
-        PAGE("<td>%s</td>", number_digits(run->tension[i], 3).text);
+        PAGE("<td>%s</td>", number_short(run->tension[i], 4).text);
     }
     PAGE("<td>%s, %s, %s</td>", number_fixed(run->tip.p.a[0] * 1e3, 4).text,
          number_fixed(run->tip.p.a[1] * 1e3, 4).text, number_fixed(run->tip.p.a[2] * 1e3, 4).text);
@@ -79,14 +79,14 @@ static status strain_warning(bytes *page, const rod_result *rod, double linear, 
     } else if (beyond > 0) {
         PAGE("<p class=\"note warn\">⚠ %d of %d shapes strain the section by more than %s %%, "
              "where ",
-             beyond, rod->nsolution, number_digits(linear * 100, 3).text);
+             beyond, rod->nsolution, number_short(linear * 100, 3).text);
         TRY(page_escaped(page, name));
         PAGE(" stops being close to linear (up to %s %%). Their numbers are those of linear "
              "materials.</p>\n",
              number_fixed(worst * 100, 2).text);
     } else {
         PAGE("<p class=\"note\">All shapes stay below %s %% strain, where ",
-             number_digits(linear * 100, 3).text);
+             number_short(linear * 100, 3).text);
         TRY(page_escaped(page, name));
         PAGE(" is close to linear.</p>\n");
     }
@@ -108,7 +108,7 @@ status page_rod(bytes *page, const run_result *r, const char *dir)
     PAGE("<h2 id=\"rod\">Rod under its tendons</h2>\n<p>Length %s mm, clamped at the base, no "
          "friction. "
          "The largest strain is a bound over the whole section at the worst place.</p>\n",
-         number_digits(r->rod_length * 1e3, 5).text);
+         number_short(r->rod_length * 1e3, 6).text);
     TRY(page_figure(page, dir, "rods", "Shapes for all tensions."));
     TRY(strain_warning(page, rod, linear, name));
     PAGE("<div class=\"scroll\"><table>\n<caption>One row for each set of tensions; a tendon's "
@@ -120,7 +120,8 @@ status page_rod(bytes *page, const run_result *r, const char *dir)
         TRY(solution_row(page, rod, i, linear));
     }
     PAGE("</tbody></table></div>\n");
-    TRY(page_figure(page, dir, "curvature", "Curvature in the body frame, without tension 0."));
+    TRY(page_figure(page, dir, "curvature",
+                    "Curvature and twist along the rod, in the body frame."));
 
 done:
     return st;

@@ -65,7 +65,7 @@ static status stiffness(bytes *page, const section_station *s)
     static const char *const strain[] = {"γ<sub>x</sub>", "γ<sub>y</sub>", "ε",
                                          "κ<sub>x</sub>", "κ<sub>y</sub>", "τ"};
 
-    PAGE("<h3>Stiffness at s = %s mm</h3>\n", number_fixed(s->s * 1e3, 3).text);
+    PAGE("<h3>Stiffness at s = %s mm</h3>\n", number_short(s->s * 1e3, 6).text);
     PAGE("<div class=\"scroll\"><table>\n<caption>Rows: wrench; columns: strain. Upper left N, "
          "mixed "
          "blocks N mm, lower right N mm². Grey: below 10⁻⁹ of the "

@@ -80,8 +80,8 @@ status page_segment(bytes *page, const run_result *r, const char *dir)
     PAGE("<h2 id=\"segment\">3D segment</h2>\n<p>The section at s = %s mm, extruded to %s mm; "
          "linear elasticity "
          "with %d unknowns. ",
-         number_fixed(r->segment_section_at * 1e3, 3).text,
-         number_digits(r->segment_length * 1e3, 5).text, s->dofs);
+         number_short(r->segment_section_at * 1e3, 6).text,
+         number_short(r->segment_length * 1e3, 6).text, s->dofs);
     PAGE("Base: %s. Tip: %s.</p>\n", base[r->segment_base == BASE_FREE_TO_CONTRACT],
          tip[(unsigned)r->segment_tip % 3]);
     TRY(page_figure(page, dir, "segment", "Deformed segments, one colour scale for all loads."));

@@ -130,8 +130,7 @@ void plane_edge_point(const plane_edges *e, const plane_edge *edge, double t, do
     }
 }
 
-// --- loops
-// -----------------------------------------------------------------------------------------------------------
+// --- loops ---
 
 typedef struct links {
     int *first; // [nnode] an edge that begins here, -1 for none

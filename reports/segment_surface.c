@@ -8,8 +8,8 @@
 
 enum {
     WANTED_AROUND = 64, // facets around the section, so that a circle looks round on paper
-    WANTED_ALONG = 56,
-    MAX_CUTS = 8,
+    WANTED_ALONG = 56,  // and along it, so that the colour changes smoothly
+    MAX_CUTS = 16,      // of one element
 };
 
 camera camera_from(double azimuth, double elevation)
@@ -33,6 +33,8 @@ typedef struct surface_maker {
     double magnify;
     const camera *camera;
     vec3 light;
+    int nlayer;
+    double radius; // of a circle about the origin that holds the section [m]
     int room;
     segment_surface out;
 } surface_maker;
@@ -86,13 +88,34 @@ static status add_facet(surface_maker *m, int n, const surface_point *const *cor
     return OK;
 }
 
-// --- the sides
-// -------------------------------------------------------------------------------------------------------
+// --- the sides ---
 
-static int cuts_for(int wanted, int pieces)
+static int cuts_for(int wanted, double part)
 {
-    const int cuts = (wanted + pieces / 2) / (pieces > 0 ? pieces : 1);
-    return cuts < 1 ? 1 : cuts > MAX_CUTS ? MAX_CUTS : cuts;
+    const double cuts = round(wanted * part);
+    return cuts < 1 ? 1 : cuts > MAX_CUTS ? MAX_CUTS : (int)cuts;
+}
+
+// by its share of the circumference of a circle around the section
+static int cuts_of_edge(const surface_maker *m, const plane_edge *edge, int order)
+{
+    const double *a = m->plane->xyz + 3 * (size_t)edge->node[0];
+    const double *b = m->plane->xyz + 3 * (size_t)edge->node[order];
+    const double around = 2 * acos(-1.0) * m->radius;
+    return cuts_for(WANTED_AROUND, around > 0 ? hypot(b[0] - a[0], b[1] - a[1]) / around : 0);
+}
+
+static double level_z(const surface_maker *m, int level)
+{
+    return m->solid->xyz[3 * (size_t)m->plane->nnode * (size_t)level + 2];
+}
+
+static int cuts_of_layer(const surface_maker *m, int layer)
+{
+    const int p = m->solid->order;
+    const double height = level_z(m, (layer + 1) * p) - level_z(m, layer * p);
+    const double length = level_z(m, m->nlayer * p) - level_z(m, 0);
+    return cuts_for(WANTED_ALONG, length > 0 ? height / length : 0);
 }
 
 static status add_side(surface_maker *m, const element *line, const plane_edge *edge, int layer,
@@ -150,7 +173,7 @@ static bool *find_borders(const plane_edges *edges)
     return border;
 }
 
-static status add_sides(surface_maker *m, const plane_edges *edges, int nlayer, const int cuts[2])
+static status add_sides(surface_maker *m, const plane_edges *edges)
 {
     status st = OK;
     bool *border = find_borders(edges);
@@ -158,8 +181,10 @@ static status add_sides(surface_maker *m, const plane_edges *edges, int nlayer, 
         return status_fail(ERR_RESOURCE, "out of memory for the picture of the segment");
     }
     for (int i = 0; i < edges->count; i++) {
-        for (int layer = 0; edges->edge[i].other < 0 && layer < nlayer; layer++) {
-            TRY(add_side(m, &edges->line, &edges->edge[i], layer, cuts, border[i]));
+        const plane_edge *edge = &edges->edge[i];
+        for (int layer = 0; edge->other < 0 && layer < m->nlayer; layer++) {
+            const int cuts[2] = {cuts_of_edge(m, edge, edges->line.order), cuts_of_layer(m, layer)};
+            TRY(add_side(m, &edges->line, edge, layer, cuts, border[i]));
         }
     }
 
@@ -168,8 +193,7 @@ done:
     return st;
 }
 
-// --- the end
-// ---------------------------------------------------------------------------------------------------------
+// --- the end ---
 
 // corner (i, j) of the lattice that cuts a reference quad or triangle
 static surface_point cap_point(const surface_maker *m, const element *e, const int *node, int level,
@@ -204,7 +228,15 @@ done:
     return st;
 }
 
-static status add_cap(surface_maker *m, int level, int cuts)
+static int cap_cuts(const surface_maker *m)
+{
+    // an element's size from the mean area
+    const double side = m->radius * sqrt(acos(-1.0) / mesh_element_count(m->plane));
+    const double around = 2 * acos(-1.0) * m->radius;
+    return cuts_for(WANTED_AROUND, around > 0 ? side / around : 0);
+}
+
+static status add_cap(surface_maker *m, int level)
 {
     status st = OK;
     element e = {0};
@@ -212,7 +244,7 @@ static status add_cap(surface_maker *m, int level, int cuts)
         const mesh_block *block = &m->plane->block[b];
         TRY(element_make(block->shape, m->plane->order, &e));
         for (int k = 0; k < block->nelem; k++) {
-            TRY(add_cap_element(m, &e, block->conn + k * block->per_elem, level, cuts));
+            TRY(add_cap_element(m, &e, block->conn + k * block->per_elem, level, cap_cuts(m)));
         }
     }
 
@@ -220,13 +252,25 @@ done:
     return st;
 }
 
-// --- all of it
-// -------------------------------------------------------------------------------------------------------
+// --- all of it ---
 
 static int farthest_first(const void *a, const void *b)
 {
     const facet *f = a, *g = b;
     return (f->depth > g->depth) - (f->depth < g->depth);
+}
+
+static void count_facets(surface_maker *m, const plane_edges *edges)
+{
+    int along = 0, around = 0;
+    for (int layer = 0; layer < m->nlayer; layer++) {
+        along += cuts_of_layer(m, layer);
+    }
+    for (int i = 0; i < edges->count; i++) {
+        around +=
+            edges->edge[i].other < 0 ? cuts_of_edge(m, &edges->edge[i], edges->line.order) : 0;
+    }
+    m->room = around * along + mesh_element_count(m->plane) * cap_cuts(m) * cap_cuts(m);
 }
 
 status segment_surface_make(const run_result *r, const plane_edges *edges,
@@ -237,23 +281,27 @@ status segment_surface_make(const run_result *r, const plane_edges *edges,
     const mesh *plane = &r->segment_plane, *solid = &r->segment_mesh;
     const vec3 light = vec3_add(vec3_scale(0.45, camera->up),
                                 vec3_add(vec3_scale(-0.45, camera->right), camera->eye));
-    surface_maker m = {plane, solid, displacement, magnify, camera, {{0}}, 0, {0}};
-    m.light = vec3_scale(1 / vec3_norm(light), light);
+    surface_maker m = {
+        .plane = plane,
+        .solid = solid,
+        .displacement = displacement,
+        .magnify = magnify,
+        .camera = camera,
+        .light = vec3_scale(1 / vec3_norm(light), light),
+    };
 
     if (plane->nnode == 0 || solid->nnode % plane->nnode != 0 ||
         (solid->nnode / plane->nnode - 1) % solid->order != 0) {
         TRY(status_fail(ERR_BUG, "segment_surface: the solid mesh is not the plane one, extruded"));
     }
-    const int nlayer = (solid->nnode / plane->nnode - 1) / solid->order;
-    int outer = 0;
-    for (int i = 0; i < edges->count; i++) {
-        outer += edges->edge[i].other < 0;
+    m.nlayer = (solid->nnode / plane->nnode - 1) / solid->order;
+    for (int i = 0; i < plane->nnode; i++) {
+        m.radius = fmax(m.radius, hypot(plane->xyz[3 * i], plane->xyz[3 * i + 1]));
     }
-    const int cuts[2] = {cuts_for(WANTED_AROUND, outer / 2), cuts_for(WANTED_ALONG, nlayer)};
-    m.room = outer * nlayer * cuts[0] * cuts[1] + mesh_element_count(plane) * cuts[0] * cuts[0];
+    count_facets(&m, edges);
     TRY(TAKE(m.out.facet, (size_t)m.room));
-    TRY(add_sides(&m, edges, nlayer, cuts));
-    TRY(add_cap(&m, nlayer * solid->order, cuts[0]));
+    TRY(add_sides(&m, edges));
+    TRY(add_cap(&m, m.nlayer * solid->order));
     qsort(m.out.facet, (size_t)m.out.count, sizeof *m.out.facet, farthest_first);
     *out = m.out;
     m.out = (segment_surface){0};

@@ -108,8 +108,12 @@ static void segment_lines(summary *s, const run_result *r)
         const segment_load_result *l = &g->load[i];
         char name[96];
         utf8_shorten(l->name ? l->name : "load", 18, name, sizeof name);
-        add(s, "         %-18s shortening %7.4f mm  tip angle %7.3f deg  mid curvature %7.3f 1/m",
-            name, l->shortening * 1e3, degrees(hypot(l->tip_rotation[0], l->tip_rotation[1])),
+        // the larger of the two ways in which a tip turns
+        const double bend = hypot(l->tip_rotation[0], l->tip_rotation[1]);
+        const bool twists = fabs(l->tip_rotation[2]) > bend;
+        add(s, "         %-18s shortening %7.4f mm  tip %s %7.3f deg  mid curvature %7.3f 1/m",
+            name, plain(l->shortening * 1e3, 5e-5), twists ? "twist" : "angle",
+            degrees(twists ? l->tip_rotation[2] : bend),
             hypot(l->mid_curvature[0], l->mid_curvature[1]));
     }
     if (shown < g->nload) {

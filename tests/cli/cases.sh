@@ -1,6 +1,7 @@
 #!/bin/sh
 # Every case of the repository is valid, and the program carries it byte for byte.
 set -u
+leaks=yes
 . "$STIFFAXIS_SOURCE/tests/cli/helpers"
 
 count=0

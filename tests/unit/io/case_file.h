@@ -25,8 +25,8 @@ static inline void case_file_write(const char *text, size_t length)
 }
 
 // opens, peeks at the rod's length as the program does, and reads by the small tables
-static inline status case_file_read(const char *path, int noverride, const char *const *overrides, small_case *out,
-                             config **cfg)
+static inline status case_file_read(const char *path, int noverride, const char *const *overrides,
+                                    small_case *out, config **cfg)
 {
     status st = OK;
     double length = 0;
@@ -42,8 +42,8 @@ done:
     return st;
 }
 
-static inline status case_text_read(const char *text, int noverride, const char *const *overrides, small_case *out,
-                             config **cfg)
+static inline status case_text_read(const char *text, int noverride, const char *const *overrides,
+                                    small_case *out, config **cfg)
 {
     case_file_write(text, strlen(text));
     const status st = case_file_read(case_file_path, noverride, overrides, out, cfg);

@@ -5,15 +5,18 @@
 #include "tests/unit/reports/files.h"
 #include "tests/unit/reports/synthetic.h"
 
+// the caller's to free
 static char *summary_of(const run_result *r, int max_lines)
 {
-    char *text = NULL;
-    size_t size = 0;
-    FILE *f = open_memstream(&text, &size);
-    if (!f) {
+    enum { ROOM = 1 << 15 };
+    char *text = calloc(1, ROOM);
+    FILE *f = tmpfile();
+    if (!text || !f) {
         exit(1);
     }
     CHECK_OK(report_summary(r, max_lines, f));
+    rewind(f);
+    CHECK(fread(text, 1, ROOM - 1, f) < ROOM - 1);
     (void)fclose(f);
     return text;
 }

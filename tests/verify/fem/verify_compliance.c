@@ -55,55 +55,58 @@ static void solve(int order, int base, int tip, segment_result *r)
     const material m[2] = {{.E = 0.66e6, .nu = 0.3}, {.E = 15.93e6, .nu = 0.3}};
     column_model model = {0};
     s.order = order;
+    s.soft = 8;
+    s.layers = 8;
     CHECK_OK(polar_model(&s, m, base, tip, &model));
     CHECK_OK(segment_solve(&model.model, 0, NULL, NULL, 0, r));
     column_model_free(&model);
 }
 
-// errors fall with the order, the estimate is above the error, and the clamped edges' singularity
-// sets the pace
-static void compliance_converges_to_the_reference(void)
+// what the mesh may miss by order; the clamped edges' singularity sets the pace of the compliance
+static const double COMPLIANCE[5] = {0, 0.2, 2e-3, 5e-4, 2.5e-4};
+static const double LAW[5] = {0, 1, 2e-3, 1e-4, 1e-4};
+
+static double check_compliance(int order, const segment_result *r)
 {
-    double error[5] = {0};
-    const double most[5] = {0, 0.1, 2e-3, 4e-4, 2e-4};
-    for (int order = 1; order <= ELEMENT_MAX_ORDER; order++) {
-        segment_result r = {0};
-        solve(order, BASE_CLAMPED, TIP_RIGID, &r);
-        // u [mm] by F [N]: x 1e3; u by M [N mm] and rotation by F: 1; rotation by M: 1e-3
-        const mat6 C = in_millimetres(r.tip_compliance, sqrt(1e3), sqrt(1e-3));
-        error[order] = mat6_relative_error(C, reference_compliance());
-        printf("order %d: %6d dofs, compliance to %.2e, estimate %.2e, residual %.1e\n", order,
-               r.dofs, error[order], r.relative_error, r.residual);
-        CHECK_WITHIN(error[order], 0, most[order]);
-        CHECK(error[order] <= r.relative_error + REFERENCE_ERROR);
-        CHECK(r.residual > 0 && r.residual < 1e-14);
-        if (order > 1) {
-            CHECK(error[order] < error[order - 1] / 1.5);
-        }
-        segment_result_free(&r);
+    // u [mm] by F [N]: x 1e3; u by M [N mm] and rotation by F: 1; rotation by M: 1e-3
+    const mat6 C = in_millimetres(r->tip_compliance, sqrt(1e3), sqrt(1e-3));
+    const double error = mat6_relative_error(C, reference_compliance());
+    printf("order %d: %6d dofs, compliance to %.2e, estimate %.2e, residual %.1e\n", order, r->dofs,
+           error, r->relative_error, r->residual);
+    CHECK_WITHIN(error, 0, COMPLIANCE[order]);
+    CHECK(error <= r->relative_error + REFERENCE_ERROR);
+    CHECK(r->residual > 0 && r->residual < 1e-14);
+    return error;
+}
+
+static void check_law(int order, const segment_result *r)
+{
+    const double error = mat6_relative_error(in_millimetres(r->law.K, 1, 1e3), reference_law());
+    const double own = mat6_relative_error(in_millimetres(r->mid_K, 1, 1e3), reference_law());
+    printf("order %d: law to %.2e, estimate %.2e; this segment's own middle %.2e off\n", order,
+           error, r->law.relative_error, own);
+    CHECK_WITHIN(error, 0, LAW[order]);
+    CHECK(error <= r->law.relative_error);
+    // 20 mm are five radii: the ends reach the middle in torsion and shear, not in stretch and
+    // bending
+    if (order > 2) {
+        CHECK_NEAR(1e6 * r->mid_K.a[MX][MX], 81.23604110956464, 1e-3);
+        CHECK_NEAR(r->mid_K.a[NZ][NZ], 29.21304176918158, 1e-3);
+        CHECK_WITHIN(own, 0.024, 0.01);
     }
 }
 
-static void law_is_that_of_the_section(void)
+// both errors lie below their estimates; the compliance's falls with the order
+static void results_converge_to_the_references(void)
 {
-    const double tolerance[5] = {0, 1, 2e-2, 1e-4,
-                                 1e-4}; // order 2 cannot hold the shear flow in the wall
-    for (int order = 2; order <= 3; order++) {
+    double before = 1;
+    for (int order = 1; order <= ELEMENT_MAX_ORDER; order++) {
         segment_result r = {0};
         solve(order, BASE_CLAMPED, TIP_RIGID, &r);
-        const mat6 K = in_millimetres(r.law.K, 1, 1e3);
-        const double error = mat6_relative_error(K, reference_law());
-        printf("order %d: law to %.2e, estimate %.2e; this segment's own middle %.2e off\n", order,
-               error, r.law.relative_error,
-               mat6_relative_error(in_millimetres(r.mid_K, 1, 1e3), reference_law()));
-        CHECK_WITHIN(error, 0, tolerance[order]);
-        CHECK(error <= r.law.relative_error);
-        // 20 mm are five radii: the ends reach the middle in torsion and shear, not in stretch and
-        // bending
-        CHECK_NEAR(1e6 * r.mid_K.a[MX][MX], 81.23604110956464, 1e-3);
-        CHECK_NEAR(r.mid_K.a[NZ][NZ], 29.21304176918158, 1e-3);
-        CHECK_WITHIN(mat6_relative_error(in_millimetres(r.mid_K, 1, 1e3), reference_law()), 0.024,
-                     0.01);
+        const double error = check_compliance(order, &r);
+        check_law(order, &r);
+        CHECK(error < before / 1.5);
+        before = error;
         segment_result_free(&r);
     }
 }
@@ -112,8 +115,8 @@ static void law_is_that_of_the_section(void)
 static void law_does_not_depend_on_the_ends(void)
 {
     segment_result r[2] = {{0}, {0}};
-    solve(2, BASE_CLAMPED, TIP_RIGID, &r[0]);
-    solve(2, BASE_FREE_TO_CONTRACT, TIP_E_PROPORTIONAL, &r[1]);
+    solve(1, BASE_CLAMPED, TIP_RIGID, &r[0]);
+    solve(1, BASE_FREE_TO_CONTRACT, TIP_E_PROPORTIONAL, &r[1]);
     CHECK_WITHIN(mat6_relative_error(r[1].law.K, r[0].law.K), 0, 1e-10);
     segment_result_free(&r[0]);
     segment_result_free(&r[1]);
@@ -121,8 +124,7 @@ static void law_does_not_depend_on_the_ends(void)
 
 int main(void)
 {
-    compliance_converges_to_the_reference();
-    law_is_that_of_the_section();
+    results_converge_to_the_references();
     law_does_not_depend_on_the_ends();
     return test_failures != 0;
 }

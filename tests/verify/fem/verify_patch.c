@@ -156,7 +156,8 @@ static void check_strain(const column_model *m, strain e, const double *s)
     const double centre[2] = {s[1] / s[0], s[2] / s[0]};
     printf("order %d, eps = %g %+g x %+g y: displacements to %.1e\n", m->plane.order, e.a, e.b, e.c,
            worst);
-    CHECK_WITHIN(worst, 0, 1e-10);
+    // rounding times the condition of a mesh with layers of 1 to 40 and angles of 10 degrees
+    CHECK_WITHIN(worst, 0, e.b == 0 ? 1e-10 : 1e-9);
     CHECK_NEAR(r.load[0].shortening, -L * (e.a + e.b * centre[0] + e.c * centre[1]), 1e-10);
     const double turn = fabs(e.b) + fabs(e.c), flat = 1e-10 * (turn + fabs(e.a) / L);
     CHECK_WITHIN(r.load[0].mid_curvature[0], e.c, flat);
@@ -174,7 +175,7 @@ int main(void)
 {
     double s[6] = {0};
     stiffness_integrals(s);
-    // a force at the stiffness centre alone: moments of a uniform strain
+    // a uniform strain is a force at the stiffness centre alone
     const strain uniform = {.a = -0.02}, bent = {.a = 0.01, .b = 3, .c = -5};
     for (int order = 1; order <= ELEMENT_MAX_ORDER; order++) {
         column_model m = {0};

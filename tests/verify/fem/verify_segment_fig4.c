@@ -12,11 +12,12 @@ static const segment_load loads[2] = {{.name = "geometric centre", .force = {0, 
                                       {.name = "stiffness centre", .force = {0, 0, -0.5}}};
 static const double points[2][2] = {{0, 0}, {-2.123276337844983e-3, 0}};
 
-static void solve(double nu, int base, int tip, segment_result *r)
+static void solve(double nu, int base, int tip, int layers, segment_result *r)
 {
-    const polar_segment s = fig4_segment();
+    polar_segment s = fig4_segment();
     const material m[2] = {{.E = 0.66e6, .nu = nu}, {.E = 15.93e6, .nu = nu}};
     column_model model = {0};
+    s.layers = layers;
     CHECK_OK(polar_model(&s, m, base, tip, &model));
     CHECK_OK(segment_solve(&model.model, 2, loads, points, 0, r));
     column_model_free(&model);
@@ -48,7 +49,7 @@ static double displacement_at_load(const segment_load_result *l)
 static void clamped_and_rigid(void)
 {
     segment_result r = {0};
-    solve(0.3, BASE_CLAMPED, TIP_RIGID, &r);
+    solve(0.3, BASE_CLAMPED, TIP_RIGID, 10, &r);
     const segment_load_result *gc = &r.load[0], *nc = &r.load[1];
     CHECK_NEAR(gc->tip_displacement[2], -0.59999e-3, TOLERANCE);
     CHECK_NEAR(degrees(gc), 7.048, TOLERANCE);
@@ -58,7 +59,7 @@ static void clamped_and_rigid(void)
     CHECK_NEAR(nc->shortening, 0.3397e-3, TOLERANCE);
     CHECK_WITHIN(degrees(nc), 0.0234, 3e-4);
     CHECK(degrees(nc) < 0.1);
-    CHECK_WITHIN(fabs(nc->mid_curvature[1]), 0.0005, 6e-4);
+    CHECK_WITHIN(nc->mid_curvature[1], 0, 6e-4); // the reference's 0.0005 of 6.232
     // away from the ends the centre is the section's own
     CHECK_NEAR(r.stiffness_centre[0], NC, 2e-4);
     CHECK_WITHIN(r.stiffness_centre[1], 0, 1e-9);
@@ -68,10 +69,10 @@ static void clamped_and_rigid(void)
 static void clamped_and_rigid_nearly_incompressible(void)
 {
     segment_result r = {0};
-    solve(0.45, BASE_CLAMPED, TIP_RIGID, &r);
+    solve(0.45, BASE_CLAMPED, TIP_RIGID, 10, &r);
     CHECK_NEAR(displacement_at_load(&r.load[1]), -0.3353e-3,
-               2e-3); // the reference's own error is 1e-3
-    CHECK_WITHIN(degrees(&r.load[1]), 0.057, 2.5e-3);
+               2e-3);                                 // the reference's own error is 1e-3
+    CHECK_WITHIN(degrees(&r.load[1]), 0.057, 2.5e-3); // 1e-3 of the segment's 6.9 deg is 7e-3
     CHECK_NEAR(r.tip_centre[0], -2.1065e-3, TOLERANCE);
     segment_result_free(&r);
 }
@@ -79,7 +80,7 @@ static void clamped_and_rigid_nearly_incompressible(void)
 static void clamped_with_traction(void)
 {
     segment_result r = {0};
-    solve(0.3, BASE_CLAMPED, TIP_E_PROPORTIONAL, &r);
+    solve(0.3, BASE_CLAMPED, TIP_E_PROPORTIONAL, 10, &r);
     CHECK_NEAR(r.load[1].shortening, 0.34100e-3, TOLERANCE);
     CHECK_NEAR(r.load[1].shortening / F, 0.682003e-3, TOLERANCE);
     CHECK_WITHIN(degrees(&r.load[1]), 0.0117, 2e-4);
@@ -92,7 +93,7 @@ static void free_with_traction(void)
 {
     for (int i = 0; i < 2; i++) {
         segment_result r = {0};
-        solve(i ? 0.45 : 0.3, BASE_FREE_TO_CONTRACT, TIP_E_PROPORTIONAL, &r);
+        solve(i ? 0.45 : 0.3, BASE_FREE_TO_CONTRACT, TIP_E_PROPORTIONAL, 2, &r);
         const segment_load_result *nc = &r.load[1];
         CHECK_NEAR(nc->shortening, F * 20e-3 / 29.213041767200757, 1e-5);
         CHECK_NEAR(nc->shortening, F * 20e-3 / r.law.K.a[NZ][NZ], 1e-4); // the law's own ends
