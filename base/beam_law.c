@@ -30,7 +30,7 @@ bool beam_law_axial_bending(const mat6 *F, mat3 *out)
     return true;
 }
 
-// everything but the principal axes, docs/theory.md (2.1)-(2.3)
+// everything but the principal axes, docs/theory.md (2.7)
 static status centres_without_axes(const beam_law *law, beam_centres *c)
 {
     mat6 F;

@@ -119,7 +119,7 @@ void law_along_at(const law_along *along, double s, mat6 *K, mat6 *dK)
     const local_law l = interpolate(along, s, dK != NULL);
     *K = turned(l.K, l.turn);
     if (dK) {
-        // K_g = R K R^T, R' = turn' R Z, and Z^T = -Z: docs/theory.md (2.6)
+        // K_g = R K R^T, R' = turn' R Z, and Z^T = -Z: docs/theory.md (2.8)
         *dK = turned(mat6_add(l.dK, mat6_scale(l.dturn, turning(l.K))), l.turn);
     }
 }

@@ -55,7 +55,7 @@ static status check(double norm, size_t n, int ncol, const double *b, const doub
     *worst = 0;
     for (size_t c = 0; c < (size_t)ncol; c++) {
         const double scale = norm * largest(n, x + c * n) + largest(n, b + c * n);
-        const double relative = scale > 0 ? largest(n, r + c * n) / scale : 0;
+        const double relative = scale == 0 ? 0 : largest(n, r + c * n) / scale;
         if (!(relative <= RESIDUAL_LIMIT)) {
             return status_fail(ERR_NUMERIC, "MUMPS: relative residual %.2g of right-hand side %d",
                                relative, (int)c);

@@ -10,5 +10,7 @@ typedef struct csv csv;
 
 status csv_open(const char *path, int ncolumn, const char *const *names, csv **out);
 void csv_real(csv *c, double value);
-void csv_text(csv *c, const char *value); // quoted where needed; a leading = + - @ is defused for spreadsheets
-status csv_close(csv *c);                 // ERR_RESOURCE when a write failed; a row left unfinished is ERR_BUG
+void csv_text(
+    csv *c,
+    const char *value);   // quoted where needed; a leading = + - @ is defused for spreadsheets
+status csv_close(csv *c); // ERR_RESOURCE when a write failed; a row left unfinished is ERR_BUG

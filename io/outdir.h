@@ -1,5 +1,6 @@
 // io/outdir.h
-// A directory of results is written whole or not at all: files go to DIR.tmp-PID, which is renamed to DIR at the end.
+// A directory of results is written whole or not at all: files go to DIR.tmp-PID, which is renamed
+// to DIR at the end.
 #pragma once
 
 #include "base/status.h"
@@ -9,8 +10,8 @@
 
 typedef struct outdir outdir;
 
-// An existing DIR is ERR_INPUT unless force; force replaces only an empty directory or one that this program wrote (it
-// holds the marker file .stiffaxis). Parents are made.
+// An existing DIR is ERR_INPUT unless force; force replaces only an empty directory or one that
+// this program wrote (it holds the marker file .stiffaxis). Parents are made.
 status outdir_open(const char *path, bool force, outdir **out);
 // Path of a file inside the temporary directory; false in truncation (a name of ours is short).
 status outdir_path(const outdir *d, const char *name, char *buffer, size_t size);

@@ -20,6 +20,7 @@ static const double LEAST_JACOBIAN = 0.1;
 enum {
     MOST_TRIES = 8, // each halves the edges where elements are bad
     MOST_SOURCES = 2000,
+    MOST_HALVINGS = 3, // of all arcs, where a face has no triangle at all
 };
 
 typedef struct attempt {
@@ -27,6 +28,7 @@ typedef struct attempt {
     curved_sides sides;
     mesh m, judged; // judged: of order 2 where m is of order 1 and does not show how its curves lie
     int nbad;       // elements or faces
+    bool lost;      // a face has no triangle at all
     int bad_face;   // one of them
     double at[2];   // a place there
 } attempt;
@@ -80,6 +82,7 @@ static status refine_unfilled(attempt *a, plane_request *r)
     // a face without any triangle does not say where: all arcs become finer
     if (a->nbad > 0 && r->nsource == before) {
         r->angle /= 2;
+        a->lost = true;
     }
 
 done:
@@ -152,6 +155,11 @@ done:
 static status fail_at(const section_outline *o, const attempt *a)
 {
     const int owner = a->pieces.owner[a->bad_face];
+    if (a->lost) {
+        return outline_fail(&o->items[owner], owner,
+                            "an edge of it meets another edge at too small an angle or gap to be "
+                            "meshed");
+    }
     return outline_fail(&o->items[owner], owner,
                         "near (%g, %g) mm its edge meets another edge at too small an angle or gap "
                         "to be meshed",
@@ -170,9 +178,10 @@ status free_mesh_make(const section_outline *o, const mesh_options *options, mes
 
     TRY(section_check_thickness(o));
     TRY(plane_shapes_make(o, &request));
-    for (int k = 0; k < MOST_TRIES && a.nbad > 0; k++) {
+    for (int k = 0, lost = 0; k < MOST_TRIES && lost <= MOST_HALVINGS && a.nbad > 0; k++) {
         attempt_free(&a);
         TRY(try_once(o, &request, options->order, &a));
+        lost += a.lost;
     }
     if (a.nbad > 0) {
         TRY(fail_at(o, &a));

@@ -1,6 +1,6 @@
 // reports/result.h
-// Everything that a run found, in one place: the way out to JSON, CSV, the store, the figures and the page, and the way back
-// in from the store for `report`.
+// Everything that a run found, in one place: the way out to JSON, CSV, the store, the figures and
+// the page, and the way back in from the store for `report`.
 #pragma once
 
 #include "base/law_along.h"
@@ -17,13 +17,13 @@
 
 // One comparison: two ways to the same number.
 typedef struct compare_row {
-    char what[96];        // "section: GJ, ours against GetDP"
+    char what[96]; // "section: GJ, ours against GetDP"
     char unit[16];
-    double ours, other;   // in `unit`
-    double difference;    // relative, by the definition that `what` names
-    double tolerance;     // relative
-    char reason[160];     // what the tolerance is made of
-    bool skipped;         // the other way is not on this machine, or does not apply; reason says so
+    double ours, other; // in `unit`
+    double difference;  // relative, by the definition that `what` names
+    double tolerance;   // relative
+    char reason[160];   // what the tolerance is made of
+    bool skipped;       // the other way is not on this machine, or does not apply; reason says so
     bool ok;
 } compare_row;
 
@@ -35,14 +35,15 @@ typedef struct rod_result {
         double tension[16];       // [ntendon] [N]
         double tendon_length[16]; // [m]
         pose tip;
-        double total_bend_rad;    // angle between base and tip tangent, followed continuously along the rod
+        double total_bend_rad; // angle between base and tip tangent, followed continuously along
+                               // the rod
         int iterations;
         double relative_error;
-        double largest_strain;    // bound over the section: |eps| + |kappa| r at the worst station [-]
-        double *s;                // [npoint] [m]
-        pose *shape;              // [npoint]
-        double (*curvature)[3];   // [npoint] body components of w (kx, ky, twist) [1/m]
-    } *run;                       // [nsolution]
+        double largest_strain; // bound over the section: |eps| + |kappa| r at the worst station [-]
+        double *s;             // [npoint] [m]
+        pose *shape;           // [npoint]
+        double (*curvature)[3]; // [npoint] body components of w (kx, ky, twist) [1/m]
+    } * run;                    // [nsolution]
 } rod_result;
 
 enum { RESULT_MAX_TENDONS = 16 };
@@ -73,12 +74,14 @@ typedef struct run_result {
     int ncompare;
     compare_row *compare;
 
-    char **load_name; // [segment.nload], owned, where a store was read; NULL where the case owns the loads' names
+    char **load_name; // [segment.nload], owned, where a store was read; NULL where the case owns
+                      // the loads' names
 } run_result;
 
 void run_result_free(run_result *r);
 
-// reports/result_json.c: the documents of the contract ("stiffaxis/section/1" ...). run: {"schema": "stiffaxis/run/1", "section":
+// reports/result_json.c: the documents of the contract ("stiffaxis/section/1" ...). run: {"schema":
+// "stiffaxis/run/1", "section":
 // {...}, "rod": {...}, "fem": {...}, "compare": {...}} with the parts that are there.
 status result_json_section(json *j, const char *key, const run_result *r);
 status result_json_rod(json *j, const char *key, const run_result *r);
@@ -86,11 +89,13 @@ status result_json_segment(json *j, const char *key, const run_result *r);
 status result_json_compare(json *j, const char *key, const run_result *r);
 status result_json_run(json *j, const run_result *r);
 
-// reports/result_csv.c: sections.csv, rods.csv (tips), shapes.csv, segment.csv, compare.csv into the directory `dir`.
+// reports/result_csv.c: sections.csv, rods.csv (tips), shapes.csv, segment.csv, compare.csv into
+// the directory `dir`.
 status result_csv(const run_result *r, const char *dir);
 
-// reports/result_store.c: one HDF5 file (io/store.h) with everything above, and at /VTKHDF the section's mesh (part 0) and one
-// deformed segment per load, with the point field displacement_m. Reading recomputes nothing. Every count, index and choice of
-// a file is checked: ERR_FILE where it is damaged or not ours.
+// reports/result_store.c: one HDF5 file (io/store.h) with everything above, and at /VTKHDF the
+// section's mesh (part 0) and one deformed segment per load, with the point field displacement_m.
+// Reading recomputes nothing. Every count, index and choice of a file is checked: ERR_FILE where it
+// is damaged or not ours.
 status result_store_write(const run_result *r, const char *path);
 status result_store_read(const char *path, run_result *out);

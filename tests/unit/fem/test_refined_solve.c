@@ -40,8 +40,8 @@ static void one_step_restores_the_soft_direction(void)
     for (int i = 0; i < COLUMNS * N; i++) {
         CHECK_NEAR(x[i], b[i] / m.diagonal[i % N], 1e-15); // 1e-8 squared, and rounding
     }
-    // |r| = 6e-15 in the second column, over 2 x 4 + 5
-    CHECK_NEAR(relative, 6e-15 / 13, 1e-6);
+    // |r| over |A| |x| + |b|: 3e-15 / (2 + 2) in the first column, 6e-15 / (8 + 5) in the second
+    CHECK_NEAR(relative, 3e-15 / 4, 1e-6);
 }
 
 static void a_large_residual_is_a_failure(void)
