@@ -143,7 +143,7 @@ void print_segment(const run_result *r)
                1e3 * load->strain_energy);
     }
     print_stiffness("stiffness of the middle, about the geometric centre [N, N mm, N mm^2]",
-                    &fem->law.K);
+                    &fem->middle.K);
 }
 
 static const char *verdict(const compare_row *row, bool colour)

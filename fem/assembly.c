@@ -43,7 +43,7 @@ static void hold(const supports *s, const int *conn, int n, int stride, double *
     }
 }
 
-// motion of a tip node at (x, y) by the cap's six unknowns, rows by direction. docs/theory.md (5.4)
+// motion of a tip node at (x, y) by the cap's six unknowns, rows by direction. docs/theory.md (5.7)
 static void cap_motion(const supports *s, const double *x, double (*T)[6])
 {
     const double px = x[0] / s->radius, py = x[1] / s->radius;

@@ -39,7 +39,7 @@ static status check_levels(const column *c)
     return OK;
 }
 
-static double section_radius(const mesh *plane)
+double column_section_radius(const mesh *plane)
 {
     double radius = 0;
     for (int i = 0; i < plane->nnode; i++) {
@@ -63,7 +63,7 @@ status column_make(const mesh *plane, const material *materials, int order, int 
     memcpy(c.level, level, (size_t)nlevel * sizeof *level);
     TRY(check_levels(&c));
     c.length = level[nlevel - 1] - level[0];
-    c.radius = section_radius(plane);
+    c.radius = column_section_radius(plane);
     for (int b = 0; b < plane->nblock; b++) {
         element e = {0};
         TRY(element_make(plane->block[b].shape, plane->order, &e));

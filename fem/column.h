@@ -1,6 +1,6 @@
 // fem/column.h
 // A column: a plane mesh repeated along z. Its stiffness is a tensor product, so each plane element
-// is integrated once for all layers. docs/theory.md (5.2).
+// is integrated once for all layers. docs/theory.md (5.1).
 #pragma once
 
 #include "base/material.h"
@@ -24,6 +24,9 @@ typedef struct column {
 status column_make(const mesh *plane, const material *materials, int order, int nlevel,
                    const double *level, column *out);
 void column_free(column *c);
+
+// Of the circle about the origin that holds the section [m].
+double column_section_radius(const mesh *plane);
 
 // The same column with elements of a lower order in the plane and along z. *plane is the caller's
 // to free after the column.
@@ -61,5 +64,5 @@ typedef struct line_matrices {
 line_matrices line_matrices_make(const column *c, int layer, double from, double to);
 
 // K = E x M + C x G + C^T x G^T + M x K, by rows, dofs 3 (node + nnode level) + direction.
-// docs/theory.md (5.2)
+// docs/theory.md (5.1)
 void element_stiffness(const plane_matrices *p, const line_matrices *line, int order, double *K);

@@ -12,7 +12,7 @@
 static const double CURVATURE_WINDOW = 0.25;
 
 // weight[k]: the least-squares slope over the window of a function given at the levels.
-// docs/theory.md (5.6)
+// docs/theory.md (5.3)
 static void slope_weights(const column *c, double *weight)
 {
     const double centre = c->level[0] + c->length / 2, half = CURVATURE_WINDOW * c->length;
@@ -55,7 +55,7 @@ done:
 }
 
 // an axial force at (x, y) is the wrench n_z + y m_x - x m_y: where its curvature vanishes.
-// docs/theory.md (5.7)
+// docs/theory.md (5.4)
 static status find_centre(const double (*kappa)[2], double *centre)
 {
     const double a = -kappa[MY][0], b = kappa[MX][0], d = -kappa[MY][1], e = kappa[MX][1];

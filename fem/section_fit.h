@@ -1,6 +1,6 @@
 // fem/section_fit.h
 // Tractions weight x (rigid motion) on a section, and the weighted fit of a rigid motion: each is
-// the other's conjugate. docs/theory.md (5.1), (5.3)
+// the other's conjugate. docs/theory.md (5.6), (5.2)
 #pragma once
 
 #include "base/dense.h"

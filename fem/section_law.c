@@ -1,5 +1,5 @@
 // fem/section_law.c
-// The law of the section by strain energy, docs/theory.md (5.8).
+// The law of the section by strain energy, docs/theory.md (5.5).
 #include "fem/section_law.h"
 
 #include "base/memory.h"
@@ -132,7 +132,7 @@ done:
 }
 
 // energy of unit wrenches at the middle of the window, without what their moment's change within it
-// adds. docs/theory.md (5.8): U / 2h = F + h^2/3 D^T F D with D n = e_z x n
+// adds. docs/theory.md (5.5): U / 2h = F + h^2/3 D^T F D with D n = e_z x n
 static mat6 compliance_of_energy(mat6 U, window w)
 {
     mat6 F = mat6_scale(1 / (2 * w.half), U);
@@ -165,7 +165,7 @@ done:
 
 // --- a column long enough that nothing of its ends reaches the middle
 
-// Length over the section's radius at least, and the height of the first layer, from which they
+// Length over the section's radius, and the height of the first layer, from which they
 // double. Along z the middle is a cubic at most, which elements of order 3 hold however long they
 // are; the ends' layers need only die out.
 static const double LONG = 32;
@@ -177,13 +177,13 @@ static double doubling_height(int layer, int nlayer)
     return pow(2, layer < nlayer - 1 - layer ? layer : nlayer - 1 - layer);
 }
 
-static status long_column(const column *like, column *out)
+static status long_column(const mesh *plane, const material *materials, column *out)
 {
     status st = OK;
     double *level = NULL, z = 0, node[LONG_ORDER + 1];
     const int p = LONG_ORDER;
-    const double length = fmax(LONG * like->radius, like->length);
-    const int half = (int)ceil(log2(1 + length / 2 / (FIRST_LAYER * like->radius)));
+    const double radius = column_section_radius(plane), length = LONG * radius;
+    const int half = (int)ceil(log2(1 + length / 2 / (FIRST_LAYER * radius)));
     const double unit = length / 2 / (pow(2, half) - 1);
     const int nlayer = 2 * half;
     TRY(TAKE(level, (size_t)(nlayer * p + 1)));
@@ -195,22 +195,22 @@ static status long_column(const column *like, column *out)
         }
         z += height;
     }
-    TRY(column_make(like->plane, like->materials, p, nlayer * p + 1, level, out));
+    TRY(column_make(plane, materials, p, nlayer * p + 1, level, out));
 
 done:
     free(level);
     return st;
 }
 
-status section_law_solve(const petsc_door *door, const column *like, double *end_effect,
-                         beam_law *out)
+status section_law_solve(const petsc_door *door, const mesh *plane, const material *materials,
+                         double *end_effect, beam_law *out)
 {
     status st = OK;
     column c = {0};
     segment_run run = {0};
     beam_law aside = {0};
 
-    TRY(long_column(like, &c));
+    TRY(long_column(plane, materials, &c));
     TRY(segment_run_make(door, &c, BASE_CLAMPED, TIP_RIGID, &run));
     TRY(section_law_at(&c, &run, c.length / 2, out));
     TRY(section_law_at(&c, &run, c.length / 4, &aside));

@@ -174,7 +174,7 @@ done:
     return st;
 }
 
-// the point at which an axial force leaves the tip unturned: C's own equation (5.7)
+// the point at which an axial force leaves the tip unturned: C's own equation (5.4)
 static status tip_centre(mat6 C, double *centre)
 {
     const double det = C.a[MX][MX] * C.a[MY][MY] - C.a[MX][MY] * C.a[MY][MX];
@@ -186,23 +186,30 @@ static status tip_centre(mat6 C, double *centre)
     return OK;
 }
 
-// the segment's own middle, and the section's law: from there when the segment is long enough, else
-// from a longer column
-static status fill_laws(const petsc_door *door, const column *c, const segment_run *run,
-                        segment_result *r)
+static double middle_height(const column *c)
+{
+    return c->level[0] + c->length / 2;
+}
+
+// the order below, where there is one whose elements are sound: *lower.nlevel stays 0 otherwise
+static status lower_column(const column *c, mesh *plane, column *lower)
 {
     status st = OK;
-    beam_law own = {0};
-    const double begin = c->level[0];
-    TRY(section_law_at(c, run, begin + c->length / 2, &own));
-    r->mid_K = own.K;
-    TRY(section_law_solve(door, c, &r->law.relative_error, &r->law));
+    double jacobian = 0;
+    if (c->order > 1) {
+        TRY(column_lower(c, c->order - 1, plane, lower));
+        TRY(mesh_min_jacobian(plane, &jacobian));
+    }
+    if (!(jacobian > 0)) {
+        column_free(lower);
+    }
 
 done:
     return st;
 }
 
-// one order lower: what changes is taken for the error. docs/theory.md (5.9)
+// one order lower: what changes is taken for the error, 1 (nothing known) where there is none.
+// docs/theory.md (5.9)
 static status estimate_error(const petsc_door *door, const column *c, const segment_model *model,
                              segment_result *r)
 {
@@ -211,20 +218,14 @@ static status estimate_error(const petsc_door *door, const column *c, const segm
     column lower = {0};
     segment_run run = {0};
     beam_law law = {0};
-    double jacobian = 0, end_effect = 0;
-    const double end_here = r->law.relative_error;
 
-    r->relative_error = r->law.relative_error = 1;
-    if (c->order == 1) {
-        return OK;
-    }
-    TRY(column_lower(c, c->order - 1, &plane, &lower));
-    TRY(mesh_min_jacobian(&plane, &jacobian));
-    if (jacobian > 0) {
+    r->relative_error = r->middle.relative_error = 1;
+    TRY(lower_column(c, &plane, &lower));
+    if (lower.nlevel > 0) {
         TRY(segment_run_make(door, &lower, model->base, model->tip, &run));
         r->relative_error = mat6_relative_error(segment_run_compliance(&run), r->tip_compliance);
-        TRY(section_law_solve(door, &lower, &end_effect, &law));
-        r->law.relative_error = fmax(end_here, mat6_relative_error(law.K, r->law.K));
+        TRY(section_law_at(&lower, &run, middle_height(&lower), &law));
+        r->middle.relative_error = mat6_relative_error(law.K, r->middle.K);
     }
 
 done:
@@ -263,7 +264,7 @@ status segment_solve(const segment_model *model, int nload, const segment_load *
     r.assemble_seconds = run.assemble_seconds;
     r.factor_seconds = run.factor_seconds;
     r.solve_seconds = run.solve_seconds;
-    TRY(fill_laws(door, &c, &run, &r));
+    TRY(section_law_at(&c, &run, middle_height(&c), &r.middle));
     TRY(solve_loads(&run, &mid, c.radius, &list, &r));
     TRY(estimate_error(door, &c, model, &r));
     *out = r;
@@ -273,5 +274,31 @@ done:
     segment_result_free(&r);
     segment_run_free(&run);
     column_free(&c);
+    return st;
+}
+
+status segment_section_law(const mesh *plane, const material *materials, beam_law *out)
+{
+    status st = OK;
+    const petsc_door *door = NULL;
+    mesh lower = {0};
+    beam_law law = {0}, lower_law = {0};
+    double end_effect = 0, jacobian = 0, unused = 0;
+
+    TRY(open_door(&door));
+    TRY(section_law_solve(door, plane, materials, &end_effect, &law));
+    law.relative_error = 1;
+    if (plane->order > 1) {
+        TRY(mesh_lower_order(plane, plane->order - 1, &lower));
+        TRY(mesh_min_jacobian(&lower, &jacobian));
+    }
+    if (jacobian > 0) {
+        TRY(section_law_solve(door, &lower, materials, &unused, &lower_law));
+        law.relative_error = fmax(end_effect, mat6_relative_error(lower_law.K, law.K));
+    }
+    *out = law;
+
+done:
+    mesh_free(&lower);
     return st;
 }

@@ -74,11 +74,9 @@ typedef struct segment_load_result {
 
 typedef struct segment_result {
     int dofs;
-    beam_law law; // of the section: inverse of the energy per length for six unit wrenches, from
-                  // the middle of a clamped and capped column of 32 radii: a short segment has no
-                  // middle free of its ends. Its relative_error counts the mesh's order and what
-                  // the ends still do
-    mat6 mid_K;   // the same from the middle of this very segment, ends' layers and all
+    beam_law middle; // of this segment's own middle, ends' layers and all: inverse of the energy
+                     // per length for six unit wrenches, docs/theory.md (5.5). relative_error: of
+                     // the mesh, the difference from a run one order lower
     double stiffness_centre[2]; // the load position at which the mid-segment curvature vanishes [m]
     double tip_centre[2];       // the load position at which the tip's rotation vanishes: the ends'
                                 // layers move it [m]
@@ -100,8 +98,13 @@ typedef struct segment_result {
 //
 // Rigid tip and E_proportional: any wrench. Uniform: a force at the area's centroid; point (0, 0)
 // stands for "not given", any other place or a moment is ERR_INPUT. There the six unit wrenches,
-// and so law, centres and tip_compliance, are those of the E_proportional tip, since a uniform
+// and so middle, centres and tip_compliance, are those of the E_proportional tip, since a uniform
 // traction has no moment.
 status segment_solve(const segment_model *model, int nload, const segment_load *loads,
                      const double (*point)[2], int keep_displacements, segment_result *out);
 void segment_result_free(segment_result *r);
+
+// The law of the section by 3D FEM, from the middle of a column of its own with these plane
+// elements, clamped, capped and 32 radii long: a short segment has no middle free of its ends.
+// relative_error counts the mesh's order and what the ends still do. Opens the PETSc door.
+status segment_section_law(const mesh *plane, const material *materials, beam_law *out);

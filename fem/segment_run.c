@@ -61,7 +61,7 @@ static void add_forces(const section_fit *fit, const double *coefficient, const 
 }
 
 // right-hand side of one tip load; a base free to contract answers transverse forces and torsion by
-// an E-proportional traction, the multiplier of "no mean motion". docs/theory.md (5.5)
+// an E-proportional traction, the multiplier of "no mean motion". docs/theory.md (5.8)
 static void load_vector(const segment_run *run, const supports *s, int j, double *b)
 {
     const vec6 w = resultant(run, j);

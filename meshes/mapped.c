@@ -2,72 +2,76 @@
 #include "meshes/mapped.h"
 
 #include "base/memory.h"
-#include "meshes/outline.h"
+#include "meshes/corner.h"
+#include "meshes/ladder.h"
 #include "meshes/sizing.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-// Element edges of one direction: the grid's breaks and the parts of each interval.
-typedef struct ladder {
-    int n;        // elements
-    double *edge; // [n + 1]
-    int *cell;    // [n] the interval of the grid
-} ladder;
+// Elements next to a corner, over the thinnest part of the grid: the field's exponent decides how
+// much smaller pays.
+static const double NEXT_TO_WEAK = 0.2, NEXT_TO_STRONG = 0.2 / 125;
 
-static void ladder_free(ladder *l)
+// the thinnest interval of the grid, angles as arcs of the outer radius [m]
+static double thinnest_part(const grid *g)
 {
-    free(l->edge);
-    free(l->cell);
-    *l = (ladder){0};
-}
-
-static status ladder_make(int ncell, const double *at, double target, int least, ladder *out)
-{
-    status st = OK;
-    ladder l = {0};
-    double total = 0;
-
-    for (int c = 0; c < ncell; c++) {
-        total += fmax(least, sizing_parts(at[c + 1] - at[c], target));
-    }
-    if (!(total <= SECTION_MOST_ELEMENTS)) {
-        TRY(status_fail(ERR_INPUT, "mesh: its size asks for more than %d elements",
-                        SECTION_MOST_ELEMENTS));
-    }
-    TRY(TAKE(l.edge, (size_t)total + 1));
-    TRY(TAKE(l.cell, (size_t)total));
-    for (int c = 0; c < ncell; c++) {
-        const int n = (int)fmax(least, sizing_parts(at[c + 1] - at[c], target));
-        for (int k = 0; k < n; k++, l.n++) {
-            l.edge[l.n] = at[c] + (at[c + 1] - at[c]) * k / n;
-            l.cell[l.n] = c;
+    double thinnest = INFINITY;
+    for (int d = 0; d < 2; d++) {
+        const double unit = g->polar && d == 1 ? g->at[0][g->n[0]] : 1;
+        for (int i = 0; i < g->n[d]; i++) {
+            // the hole of a ring is no part of it
+            const bool hole = g->polar && d == 0 && g->at[0][i] == 0;
+            thinnest = hole ? thinnest : fmin(thinnest, unit * (g->at[d][i + 1] - g->at[d][i]));
         }
     }
-    l.edge[l.n] = at[ncell];
-    *out = l;
-    l = (ladder){0};
-
-done:
-    ladder_free(&l);
-    return st;
+    return thinnest;
 }
 
-// element edges in both directions by the target size; along the angle also by the arc
+// finest: [n + 1] for either direction, lowered at the breaks that meet in corners [m]
+static void find_corners(const section_outline *o, const grid *g, double *finest[2])
+{
+    const double part = thinnest_part(g), near = part / 100;
+    const double length[] = {0, NEXT_TO_WEAK * part, NEXT_TO_STRONG * part};
+    for (int j = 0; j <= g->n[1]; j++) {
+        for (int i = 0; i <= g->n[0]; i++) {
+            double x[2];
+            grid_point(g, g->at[0][i], g->at[1][j], x);
+            const corner c = corner_at(o, x[0], x[1], near);
+            double *at[2] = {&finest[0][i], &finest[1][j]};
+            for (int d = 0; d < 2 && c != CORNER_NONE; d++) {
+                *at[d] = *at[d] > 0 ? fmin(*at[d], length[c]) : length[c];
+            }
+        }
+    }
+}
+
+// Element edges in both directions by the target size; angles also by the arc. Without a size asked
+// for, smaller towards corners.
 static status make_ladders(const section_outline *o, const grid *g, const mesh_options *options,
                            ladder l[2])
 {
     status st = OK;
-    const double size = sizing_length(options, o->size);
-    TRY(ladder_make(g->n[0], g->at[0], size, 1, &l[0]));
+    double *finest[2] = {NULL, NULL};
+    const double size = sizing_length(options, o->size), outer = g->at[0][g->n[0]];
+    double target[2] = {size, size};
+
+    for (int d = 0; d < 2; d++) {
+        TRY(TAKE(finest[d], (size_t)g->n[d] + 1));
+    }
+    if (!(options->size > 0)) {
+        find_corners(o, g, finest);
+    }
     if (g->polar) {
-        const double outer = g->at[0][g->n[0]];
-        // a narrow sector keeps two elements, one for each of its edges' end layers
-        const int least = options->size > 0 || g->n[1] == 1 ? 1 : 2;
-        TRY(ladder_make(g->n[1], g->at[1], fmin(size / outer, sizing_angle(options)), least,
-                        &l[1]));
-    } else {
-        TRY(ladder_make(g->n[1], g->at[1], size, 1, &l[1]));
+        // along a ring the field is smooth away from corners: the arc alone decides
+        target[1] =
+            options->size > 0 ? fmin(size / outer, sizing_angle(options)) : sizing_angle(options);
+        for (int j = 0; j <= g->n[1]; j++) {
+            finest[1][j] /= outer;
+        }
+    }
+    for (int d = 0; d < 2; d++) {
+        TRY(ladder_make(g->n[d], g->at[d], finest[d], target[d], &l[d]));
     }
     if ((double)l[0].n * l[1].n > SECTION_MOST_ELEMENTS) {
         TRY(status_fail(ERR_INPUT, "mesh: its size asks for more than %d elements",
@@ -75,6 +79,8 @@ static status make_ladders(const section_outline *o, const grid *g, const mesh_o
     }
 
 done:
+    free(finest[0]);
+    free(finest[1]);
     return st;
 }
 

@@ -39,7 +39,7 @@ fig4_load fig4_which(const run_result *r, int load)
     beam_centres centres;
     vec6 wrench;
     if (!r->has_segment || s->nload != 2 || !near(r->segment_length, paper_length) ||
-        !segment_tip_wrench(r, load, &wrench) || beam_law_centres(&s->law, &centres) != OK) {
+        !segment_tip_wrench(r, load, &wrench) || beam_law_centres(&s->middle, &centres) != OK) {
         status_clear();
         return FIG4_NONE;
     }
@@ -81,7 +81,7 @@ fig4_reported fig4_paper(fig4_load which)
 void fig4_note(const run_result *r, char *text, unsigned long size)
 {
     beam_centres c = {0};
-    if (beam_law_centres(&r->segment.law, &c) != OK || !(c.EA > 0)) {
+    if (beam_law_centres(&r->segment.middle, &c) != OK || !(c.EA > 0)) {
         status_clear();
         text[0] = 0;
         return;

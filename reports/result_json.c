@@ -133,7 +133,8 @@ status result_json_segment(json *j, const char *key, const run_result *r)
     json_text(j, "base", base_names[r->segment_base]);
     json_text(j, "tip", tip_names[r->segment_tip]);
     json_integer(j, "dofs", s->dofs);
-    json_mat6(j, "K", s->law.K);
+    json_mat6(j, "K", s->middle.K);
+    json_real(j, "K_relative_error", s->middle.relative_error);
     json_reals(j, "stiffness_centre_m", 2, s->stiffness_centre);
     json_reals(j, "tip_centre_m", 2, s->tip_centre);
     json_mat6(j, "tip_compliance", s->tip_compliance);

@@ -231,14 +231,14 @@ static inline status make_segment(run_result *r, double force)
     mat6 F = {0};
     r->has_segment = true;
     r->segment_length = 20e-3;
-    s->law = tube_law();
+    s->middle = tube_law();
     s->dofs = 52000;
     s->stiffness_centre[0] = -2.1163e-3;
     s->relative_error = 4e-4;
     s->residual = 2e-12;
     TRY(ring_mesh(3.2e-3, 4e-3, pi, pi / 8, &r->segment_plane));
     TRY(extruded(&r->segment_plane, r->segment_length, &r->segment_mesh));
-    (void)mat6_inverse_spd(s->law.K, &F);
+    (void)mat6_inverse_spd(s->middle.K, &F);
     s->tip_compliance = beam_tip_compliance(F, r->segment_length);
     TRY(TAKE(s->load, 2));
     s->nload = 2;

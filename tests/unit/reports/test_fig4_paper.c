@@ -38,7 +38,7 @@ static void only_the_paper_s_segment_gets_the_paper_s_numbers(void)
     r.segment.load[1].point[0] = 1e-3;
     CHECK(!fig4_is(&r));
     r.segment.load[1].point[0] = -2.1233e-3;
-    r.segment.law.K = mat6_scale(1.1, r.segment.law.K);
+    r.segment.middle.K = mat6_scale(1.1, r.segment.middle.K);
     CHECK(!fig4_is(&r));
     synthetic_free(&r);
 }

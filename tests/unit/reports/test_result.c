@@ -138,7 +138,7 @@ static void make_segment(counter *c, run_result *r)
     r->segment_tip = TIP_E_PROPORTIONAL;
     make_meshes(&r->segment_plane, &r->segment_mesh);
     s->dofs = 54;
-    s->law = some_law(c);
+    s->middle = some_law(c);
     fill(c, 2, s->stiffness_centre);
     fill(c, 2, s->tip_centre);
     fill(c, 36, s->tip_compliance.a);

@@ -81,22 +81,20 @@ static void the_law_of_a_tube(double nu, double GA, double GJ)
     const double A = PI * (s.outer * s.outer - s.inner * s.inner);
     const double I = PI / 4 * (pow(s.outer, 4) - pow(s.inner, 4));
     const double diagonal[6] = {GA, GA, m.E * A, m.E * I, m.E * I, 1e-6 * GJ};
-    const segment_load load = {.name = "torque", .moment = {0, 0, 1e-3}};
     column_model model = {0};
-    segment_result r = {0};
+    beam_law law = {0};
     mat6 wanted = {0};
     for (int i = 0; i < 6; i++) {
         wanted.a[i][i] = diagonal[i];
     }
     CHECK_OK(polar_model(&s, &m, BASE_CLAMPED, TIP_RIGID, &model));
-    CHECK_OK(solve(&model, &load, ORIGIN, &r));
-    const double error = mat6_relative_error(r.law.K, wanted);
-    printf("tube, nu %.2f: law to %.1e, estimate %.1e\n", nu, error, r.law.relative_error);
+    CHECK_OK(segment_section_law(&model.plane, &m, &law));
+    const double error = mat6_relative_error(law.K, wanted);
+    printf("tube, nu %.2f: law to %.1e, estimate %.1e\n", nu, error, law.relative_error);
     // order 3 with eight elements around: geometry and shear flow 1e-5 to 1e-4
     CHECK_WITHIN(error, 0, 3e-4);
-    CHECK(error <= r.law.relative_error);
-    CHECK_NEAR(r.law.area, A, 1e-4);
-    segment_result_free(&r);
+    CHECK(error <= law.relative_error);
+    CHECK_NEAR(law.area, A, 1e-4);
     column_model_free(&model);
 }
 
@@ -107,10 +105,9 @@ static void the_law_of_a_strip(void)
     const material m = {.E = 1e6, .nu = 0.3};
     const shape quad = SHAPE_QUAD;
     const int nx = 6, order = 3, wide = nx * order + 1, nelem = nx;
-    const segment_load load = {.name = "torque", .moment = {0, 0, 1e-4}};
     double node[ELEMENT_MAX_ORDER + 1];
     column_model model = {0};
-    segment_result r = {0};
+    beam_law law = {0};
     gauss_lobatto_nodes(order + 1, node);
     CHECK_OK(mesh_make(order, wide * (order + 1), 1, &quad, &nelem, &model.plane));
     for (int i = 0; i < wide * (order + 1); i++) {
@@ -123,17 +120,14 @@ static void the_law_of_a_strip(void)
             model.plane.block[0].conn[16 * e + i] = e * order + i % 4 + wide * (i / 4);
         }
     }
-    CHECK_OK(extrude_plainly(2, 1, 20e-3, &model));
-    model.model.materials = &m;
-    CHECK_OK(solve(&model, &load, ORIGIN, &r));
-    printf("strip: GJ to %.1e, GA to %.1e\n", 1e6 * r.law.K.a[MZ][MZ] / 0.4320199359 - 1,
-           r.law.K.a[NY][NY] / 0.89800 - 1);
-    CHECK_NEAR(r.law.K.a[NZ][NZ], 4.0, 1e-5);
-    CHECK_NEAR(r.law.K.a[MX][MX], 1e-6 * 4.0 / 12, 1e-5);
-    CHECK_NEAR(r.law.K.a[MY][MY], 1e-6 * 64.0 / 12, 1e-5);
-    CHECK_NEAR(r.law.K.a[MZ][MZ], 1e-6 * 0.4320199359, 3e-4);
-    CHECK_NEAR(r.law.K.a[NY][NY], 0.89800, 1e-3); // the reference's own figures
-    segment_result_free(&r);
+    CHECK_OK(segment_section_law(&model.plane, &m, &law));
+    printf("strip: GJ to %.1e, GA to %.1e\n", 1e6 * law.K.a[MZ][MZ] / 0.4320199359 - 1,
+           law.K.a[NY][NY] / 0.89800 - 1);
+    CHECK_NEAR(law.K.a[NZ][NZ], 4.0, 1e-5);
+    CHECK_NEAR(law.K.a[MX][MX], 1e-6 * 4.0 / 12, 1e-5);
+    CHECK_NEAR(law.K.a[MY][MY], 1e-6 * 64.0 / 12, 1e-5);
+    CHECK_NEAR(law.K.a[MZ][MZ], 1e-6 * 0.4320199359, 3e-4);
+    CHECK_NEAR(law.K.a[NY][NY], 0.89800, 1e-3); // the reference's own figures
     column_model_free(&model);
 }
 
@@ -171,6 +165,7 @@ static void uniform_traction_of_two_materials(void)
     const double centre[2] = {-2.1232763e-3, 0};
     column_model m = {0};
     segment_result r = {0};
+    s.order = 2;
     s.layers = 6;
     CHECK_OK(polar_model(&s, both, BASE_CLAMPED, TIP_UNIFORM, &m));
     CHECK(solve(&m, &force, centre, &r) == ERR_INPUT);
@@ -179,7 +174,7 @@ static void uniform_traction_of_two_materials(void)
     status_clear();
     CHECK_OK(solve(&m, &force, ORIGIN, &r));
     if (r.load) {
-        CHECK_WITHIN(r.load[0].point[0], 0, 1e-8); // the mesh's own centroid
+        CHECK_WITHIN(r.load[0].point[0], 0, 1e-7); // the mesh's own centroid
         // physics, section 4 of the paper's facts: 0.638 mm is the mean tip displacement under
         // uniform pressure
         CHECK_NEAR(r.load[0].strain_energy, 0.5 * 0.5 * 0.638e-3, 5e-3);

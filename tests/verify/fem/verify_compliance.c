@@ -49,16 +49,18 @@ static mat6 in_millimetres(mat6 a, double displacement, double moment)
     return a;
 }
 
-static void solve(int order, int base, int tip, segment_result *r)
+static const material MATERIALS[2] = {{.E = 0.66e6, .nu = 0.3}, {.E = 15.93e6, .nu = 0.3}};
+
+static void solve(int order, segment_result *r, beam_law *law)
 {
     polar_segment s = fig4_segment();
-    const material m[2] = {{.E = 0.66e6, .nu = 0.3}, {.E = 15.93e6, .nu = 0.3}};
     column_model model = {0};
     s.order = order;
     s.soft = 8;
     s.layers = 8;
-    CHECK_OK(polar_model(&s, m, base, tip, &model));
+    CHECK_OK(polar_model(&s, MATERIALS, BASE_CLAMPED, TIP_RIGID, &model));
     CHECK_OK(segment_solve(&model.model, 0, NULL, NULL, 0, r));
+    CHECK_OK(segment_section_law(&model.plane, MATERIALS, law));
     column_model_free(&model);
 }
 
@@ -79,19 +81,19 @@ static double check_compliance(int order, const segment_result *r)
     return error;
 }
 
-static void check_law(int order, const segment_result *r)
+static void check_law(int order, const segment_result *r, const beam_law *law)
 {
-    const double error = mat6_relative_error(in_millimetres(r->law.K, 1, 1e3), reference_law());
-    const double own = mat6_relative_error(in_millimetres(r->mid_K, 1, 1e3), reference_law());
+    const double error = mat6_relative_error(in_millimetres(law->K, 1, 1e3), reference_law());
+    const double own = mat6_relative_error(in_millimetres(r->middle.K, 1, 1e3), reference_law());
     printf("order %d: law to %.2e, estimate %.2e; this segment's own middle %.2e off\n", order,
-           error, r->law.relative_error, own);
+           error, law->relative_error, own);
     CHECK_WITHIN(error, 0, LAW[order]);
-    CHECK(error <= r->law.relative_error);
+    CHECK(error <= law->relative_error);
     // 20 mm are five radii: the ends reach the middle in torsion and shear, not in stretch and
     // bending
     if (order > 2) {
-        CHECK_NEAR(1e6 * r->mid_K.a[MX][MX], 81.23604110956464, 1e-3);
-        CHECK_NEAR(r->mid_K.a[NZ][NZ], 29.21304176918158, 1e-3);
+        CHECK_NEAR(1e6 * r->middle.K.a[MX][MX], 81.23604110956464, 1e-3);
+        CHECK_NEAR(r->middle.K.a[NZ][NZ], 29.21304176918158, 1e-3);
         CHECK_WITHIN(own, 0.024, 0.01);
     }
 }
@@ -102,29 +104,18 @@ static void results_converge_to_the_references(void)
     double before = 1;
     for (int order = 1; order <= ELEMENT_MAX_ORDER; order++) {
         segment_result r = {0};
-        solve(order, BASE_CLAMPED, TIP_RIGID, &r);
+        beam_law law = {0};
+        solve(order, &r, &law);
         const double error = check_compliance(order, &r);
-        check_law(order, &r);
+        check_law(order, &r, &law);
         CHECK(error < before / 1.5);
         before = error;
         segment_result_free(&r);
     }
 }
 
-// the law belongs to the section, whatever the segment's ends are
-static void law_does_not_depend_on_the_ends(void)
-{
-    segment_result r[2] = {{0}, {0}};
-    solve(1, BASE_CLAMPED, TIP_RIGID, &r[0]);
-    solve(1, BASE_FREE_TO_CONTRACT, TIP_E_PROPORTIONAL, &r[1]);
-    CHECK_WITHIN(mat6_relative_error(r[1].law.K, r[0].law.K), 0, 1e-10);
-    segment_result_free(&r[0]);
-    segment_result_free(&r[1]);
-}
-
 int main(void)
 {
     results_converge_to_the_references();
-    law_does_not_depend_on_the_ends();
     return test_failures != 0;
 }

@@ -96,7 +96,8 @@ static void free_with_traction(void)
         solve(i ? 0.45 : 0.3, BASE_FREE_TO_CONTRACT, TIP_E_PROPORTIONAL, 2, &r);
         const segment_load_result *nc = &r.load[1];
         CHECK_NEAR(nc->shortening, F * 20e-3 / 29.213041767200757, 1e-5);
-        CHECK_NEAR(nc->shortening, F * 20e-3 / r.law.K.a[NZ][NZ], 1e-4); // the law's own ends
+        // K[nz][nz] of the middle: what sideways loads leave there of the ends couples into it
+        CHECK_NEAR(nc->shortening, F * 20e-3 / r.middle.K.a[NZ][NZ], 2e-4);
         CHECK_WITHIN(degrees(nc), 0, 1e-4); // the mesh's own centre is off by 1e-6 of the radius
         CHECK_NEAR(r.stiffness_centre[0], NC, 1e-5);
         CHECK_NEAR(r.tip_centre[0], r.stiffness_centre[0], 1e-9);

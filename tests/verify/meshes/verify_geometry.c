@@ -43,7 +43,8 @@ static void geometry_converges_at_twice_the_order(void)
 {
     const shape_spec annulus = an_annulus(4, 3.2, 0), disc = a_disc(4, 0, 0, 0);
     check_orders("mapped annulus", 1, &annulus, MESH_MAPPED, 4, -1, ring(4, 3.2, 2 * PI));
-    // a full circle alone: with edges in proportion to the radius the errors of two circles would cancel
+    // a full circle alone: with edges in proportion to the radius the errors of two circles would
+    // cancel
     check_orders("free disc", 1, &disc, MESH_FREE, 4, -1, ring(4, 0, 2 * PI));
     // a quarter has edges of the same length
     const shape_spec quarter[] = {annulus, a_sector(4, 3.2, 1, PI / 2, 1)};
