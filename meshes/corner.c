@@ -22,8 +22,8 @@ corner corner_at(const section_outline *o, double x, double y, double near)
 {
     int material[AROUND], changes = 0, empty = 0;
     for (int i = 0; i < AROUND; i++) {
-        // off the axes and the common fractions of a turn
-        const double a = 2 * PI * (i + 0.382) / AROUND;
+        // turning with the pattern, and off the common fractions of a turn
+        const double a = o->turn + 2 * PI * (i + 0.382) / AROUND;
         const int top = section_top_shape(o, x + near * cos(a), y + near * sin(a));
         material[i] = top >= 0 ? o->items[top].material : -1;
         empty += material[i] < 0;
@@ -37,7 +37,7 @@ corner corner_at(const section_outline *o, double x, double y, double near)
         return CORNER_NONE;
     }
     if (changes == 2) {
-        return empty > AROUND / 2 ? CORNER_NONE : CORNER_STRONG;
+        return empty > AROUND / 2 ? CORNER_WEAK : CORNER_STRONG;
     }
     return changes == 3 && is_half(empty) ? CORNER_WEAK : CORNER_STRONG;
 }

@@ -6,8 +6,8 @@
 #include "meshes/shape.h"
 
 typedef enum corner {
-    CORNER_NONE,   // inside, on a straight edge, or at a corner that sticks out
-    CORNER_WEAK,   // an interface that ends on a straight free edge
+    CORNER_NONE,   // inside or on a straight edge
+    CORNER_WEAK,   // a corner that sticks out, or an interface that ends on a straight free edge
     CORNER_STRONG, // a corner that points inwards, or a corner or meeting of interfaces
 } corner;
 

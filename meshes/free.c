@@ -174,7 +174,8 @@ status free_mesh_make(const section_outline *o, const mesh_options *options, mes
                              .parts = plane_parts,
                              .size_at = plane_size_at,
                              .length = sizing_length(options, o->size) / o->size,
-                             .angle = sizing_angle(options)};
+                             .angle = sizing_angle(options),
+                             .towards_corners = options->size > 0 ? NULL : o};
 
     TRY(section_check_thickness(o));
     TRY(plane_shapes_make(o, &request));

@@ -4,7 +4,7 @@
 // section's size, since gmsh's tolerances are absolute.
 #pragma once
 
-#include "base/status.h"
+#include "meshes/shape.h"
 
 #include <stdbool.h>
 
@@ -52,7 +52,8 @@ struct plane_request {
     int nsource;
     double *
         source; // [nsource][3] x, y and the edge length wanted there; it may grow with the distance
-    const plane_pieces *known; // faces and curves, for the questions below
+    const section_outline *towards_corners; // NULL: edges do not become shorter towards corners
+    const plane_pieces *known;              // faces and curves, for the questions below
     // Asked once before meshing, with faces and curves known; it keeps them in `known`. May refuse.
     status (*check)(plane_request *r, const plane_pieces *p);
     // Equal edges of a curve, 0 where `size_at` decides.

@@ -1,6 +1,5 @@
 // meshes/gmsh_door_module.c
-// The one door to gmsh: shapes -> OpenCASCADE faces -> fragments -> triangles. It opens no file, so
-// that gmsh never looks for something to run.
+// The one door to gmsh. It opens no file, so that gmsh never looks for something to run.
 #include "meshes/gmsh_door.h"
 
 #include "base/memory.h"
@@ -169,17 +168,14 @@ static status keep_faces(const plane_request *r, int *owner, int nface, plane_pi
     TRY(TAKE(out->area, (size_t)nface));
     TRY(TAKE(out->around, (size_t)nface));
     for (int tag = 0; tag < nface; tag++) {
-        if (owner[tag] < 0) {
-            continue;
-        }
-        if (r->cuts[owner[tag]]) {
-            int dim_tag[2] = {FACE, tag};
+        int dim_tag[2] = {FACE, tag};
+        if (owner[tag] >= 0 && r->cuts[owner[tag]]) {
             GMSH_TRY(gmshModelOccRemove(dim_tag, 2, 1, &ierr));
-            continue;
+        } else if (owner[tag] >= 0) {
+            GMSH_TRY(gmshModelOccGetMass(FACE, tag, &out->area[out->nface], &ierr));
+            (*tags)[out->nface] = tag;
+            out->owner[out->nface++] = owner[tag];
         }
-        GMSH_TRY(gmshModelOccGetMass(FACE, tag, &out->area[out->nface], &ierr));
-        (*tags)[out->nface] = tag;
-        out->owner[out->nface++] = owner[tag];
     }
     if (out->nface == 0) {
         TRY(status_fail(ERR_INPUT, "the section is empty: what is drawn is cut away again"));
@@ -294,7 +290,7 @@ done:
     return st;
 }
 
-// Elements of one type on the entities given: nodes of each in *conn, index of its entity in *of.
+// elements of one type: the nodes of each in *conn, the index of its entity in *of
 static status take_elements(int type, int nentity, const int *entity, int *count, int **conn,
                             int **of)
 {

@@ -11,7 +11,7 @@
 
 // Elements next to a corner, over the thinnest part of the grid: the field's exponent decides how
 // much smaller pays.
-static const double NEXT_TO_WEAK = 0.2, NEXT_TO_STRONG = 0.2 / 125;
+static const double NEXT_TO_WEAK = 0.25, NEXT_TO_STRONG = 0.25 / 25;
 
 // the thinnest interval of the grid, angles as arcs of the outer radius [m]
 static double thinnest_part(const grid *g)
@@ -46,6 +46,18 @@ static void find_corners(const section_outline *o, const grid *g, double *finest
     }
 }
 
+// Fields change over a wall's thickness; long thin walls get no more elements than this for it.
+static const double MOST_FOR_THICKNESS = 40;
+
+static void limit_by_thickness(const grid *g, double target[2])
+{
+    const double part = thinnest_part(g);
+    for (int d = 0; d < 2; d++) {
+        const double extent = g->at[d][g->n[d]] - g->at[d][0];
+        target[d] = fmin(target[d], fmax(part, extent / MOST_FOR_THICKNESS));
+    }
+}
+
 // Element edges in both directions by the target size; angles also by the arc. Without a size asked
 // for, smaller towards corners.
 static status make_ladders(const section_outline *o, const grid *g, const mesh_options *options,
@@ -61,6 +73,7 @@ static status make_ladders(const section_outline *o, const grid *g, const mesh_o
     }
     if (!(options->size > 0)) {
         find_corners(o, g, finest);
+        limit_by_thickness(g, target);
     }
     if (g->polar) {
         // along a ring the field is smooth away from corners: the arc alone decides

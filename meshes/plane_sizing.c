@@ -2,6 +2,7 @@
 #include "meshes/plane_sizing.h"
 
 #include "base/memory.h"
+#include "meshes/corner.h"
 #include "meshes/outline.h"
 #include "meshes/sizing.h"
 
@@ -65,6 +66,20 @@ static double source_limit(const plane_request *r, const double *x)
     return limit;
 }
 
+status plane_add_source(plane_request *r, double x, double y, double length)
+{
+    double *more = realloc(r->source, 3 * ((size_t)r->nsource + 1) * sizeof *more);
+    if (!more) {
+        return status_fail(ERR_RESOURCE, "out of memory");
+    }
+    r->source = more;
+    double *s = more + 3 * (size_t)r->nsource++;
+    s[0] = x;
+    s[1] = y;
+    s[2] = length;
+    return OK;
+}
+
 // the angle by which a line or an arc turns from its start to its end: equal steps of the probes
 static double turn_of(const double *probe)
 {
@@ -125,12 +140,54 @@ int plane_parts(const plane_request *r, int curve)
     return (int)n;
 }
 
+// Edge length at a corner over that of its surroundings: the nearest other corner, or the target.
+static const double AT_WEAK = 0.25, AT_STRONG = 0.02;
+
+// a drawing with more ends of curves than this has no room for refinement at each
+enum { MOST_CORNERS = 300 };
+
+static const double *curve_end(const plane_pieces *p, int i)
+{
+    const size_t last = CURVE_PROBES - 1;
+    return p->probe + 2 * (CURVE_PROBES * (size_t)(i / 2) + (i % 2 ? last : 0));
+}
+
+static status add_corners(plane_request *r)
+{
+    status st = OK;
+    const plane_pieces *p = r->known;
+    const section_outline *o = r->towards_corners;
+    const int n = 2 * p->ncurve;
+    for (int i = 0; i < n && n <= MOST_CORNERS; i++) {
+        const double *x = curve_end(p, i);
+        double around = r->length;
+        bool first = true;
+        for (int k = 0; k < n; k++) {
+            const double *y = curve_end(p, k), d = hypot(x[0] - y[0], x[1] - y[1]);
+            const bool same = d < OUTLINE_SLIVER / 2;
+            first = first && !(same && k < i);
+            around = same ? around : fmin(around, d);
+        }
+        const double near = fmin(around / 100, OUTLINE_SLIVER * 10) * o->size;
+        const corner c = first ? corner_at(o, x[0] * o->size, x[1] * o->size, near) : CORNER_NONE;
+        if (c != CORNER_NONE) {
+            TRY(plane_add_source(r, x[0], x[1], around * (c == CORNER_WEAK ? AT_WEAK : AT_STRONG)));
+        }
+    }
+
+done:
+    return st;
+}
+
 status plane_check(plane_request *r, const plane_pieces *p)
 {
     status st = OK;
     r->known = p;
     TRY(check_slivers(p));
     TRY(check_count(r, p));
+    if (r->towards_corners) {
+        TRY(add_corners(r));
+    }
     for (int i = 0; i < p->ncurve; i++) {
         const double *x = p->probe + 2 * CURVE_PROBES * (size_t)i;
         if (p->length[i] < OUTLINE_SLIVER) {
@@ -147,18 +204,4 @@ status plane_check(plane_request *r, const plane_pieces *p)
 
 done:
     return st;
-}
-
-status plane_add_source(plane_request *r, double x, double y, double length)
-{
-    double *more = realloc(r->source, 3 * ((size_t)r->nsource + 1) * sizeof *more);
-    if (!more) {
-        return status_fail(ERR_RESOURCE, "out of memory");
-    }
-    r->source = more;
-    double *s = more + 3 * (size_t)r->nsource++;
-    s[0] = x;
-    s[1] = y;
-    s[2] = length;
-    return OK;
 }

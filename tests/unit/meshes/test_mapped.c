@@ -84,7 +84,7 @@ static void a_turn_of_the_pattern_turns_the_mesh(void)
             const shape_spec shapes[] = {an_annulus(4e-3, 3.2e-3, 0),
                                          a_sector(3.8e-3, 3.2e-3, 2 + i * turn, PI / 8, 1),
                                          a_sector(4e-3, 3.2e-3, 0.3 + i * turn, 1, 1)};
-            CHECK_OK(mesh_of(3, shapes, MESH_AUTO, 3, 0.7e-3, &m[i]));
+            CHECK_OK(mesh_of(3, shapes, MESH_AUTO, 3, k % 2 ? 0.7e-3 : 0, &m[i]));
         }
         CHECK(m[0].nnode == m[1].nnode && m[0].block[0].nelem == m[1].block[0].nelem);
         const double c = cos(turn), s = sin(turn);
