@@ -96,12 +96,16 @@ done:
     return st;
 }
 
-static void name_tendons(const rod_case *rc, rod_result *rods)
+static void describe_tendons(const rod_case *rc, rod_result *rods)
 {
     const tendon_spec *tendons = rc->tendons.items;
     rods->ntendon = rc->tendons.count;
     for (int i = 0; i < rods->ntendon; i++) {
+        const tendon_spec *t = &tendons[i];
+        const double radius = field_at(&t->radius, 0), angle = field_at(&t->angle, 0);
         char *name = rods->tendon_name[i];
+        rods->tendon_base[i][0] = radius * cos(angle) + field_at(&t->x, 0);
+        rods->tendon_base[i][1] = radius * sin(angle) + field_at(&t->y, 0);
         if (tendons[i].name) {
             (void)snprintf(name, sizeof rods->tendon_name[i], "%s", tendons[i].name);
         } else {
@@ -122,7 +126,7 @@ status chain_rods(const command *cmd, const case_data *c, run_result *out)
     }
     out->rod_length = rc->length;
     out->rod.npoint = rc->points;
-    name_tendons(rc, &out->rod);
+    describe_tendons(rc, &out->rod);
     TRY(TAKE(out->rod.run, (size_t)rc->tensions.nrow));
     st = rod_make(&out->section.along, rc->tendons.count, rc->tendons.items, &options, &r);
     TRY(case_place(c, st, rc->at));

@@ -2,8 +2,8 @@
 // stiffaxis example [NAME]: a runnable case, or the list of them.
 #include "app/document.h"
 #include "app/examples.h"
+#include "base/nearest.h"
 #include "io/json.h"
-#include "io/nearest.h"
 
 #include <string.h>
 

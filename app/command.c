@@ -1,7 +1,7 @@
 // app/command.c
 #include "app/command.h"
 
-#include "io/nearest.h"
+#include "base/nearest.h"
 
 #include <errno.h>
 #include <limits.h>

@@ -162,6 +162,8 @@ static status solve_loads(const segment_run *run, const middle *mid, double radi
             TRY(uniform_combination(run, radius, load, loads->point[i], &k));
         }
         r->load[i].name = load->name;
+        memcpy(r->load[i].force, load->force, sizeof load->force);
+        memcpy(r->load[i].moment, load->moment, sizeof load->moment);
         memcpy(r->load[i].point, uniform ? run->by_area.centroid : loads->point[i],
                sizeof r->load[i].point);
         fill_load(run, mid, &k, &r->load[i]);

@@ -64,6 +64,8 @@ typedef struct segment_model {
 typedef struct segment_load_result {
     const char *name;
     double point[2];            // where the force acted [m]; the area's centroid with a uniform tip
+    double force[3];            // on the tip [N]
+    double moment[3];           // about that point [N m]
     double shortening;          // E-weighted mean of -u_z over the tip [m]
     double tip_displacement[3]; // of the E-weighted fit, at the geometric centre [m]
     double tip_rotation[3];     // E-weighted least squares over the tip [rad]

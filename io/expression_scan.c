@@ -1,8 +1,8 @@
 // io/expression_scan.c
 #include "io/expression_scan.h"
 
+#include "base/nearest.h"
 #include "io/config.h"
-#include "io/nearest.h"
 
 #include <stdarg.h>
 #include <stdio.h>

@@ -1,7 +1,7 @@
 // io/key_names.c
 #include "io/key_names.h"
 
-#include "io/nearest.h"
+#include "base/nearest.h"
 
 #include <math.h>
 #include <stdio.h>

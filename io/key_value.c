@@ -1,7 +1,7 @@
 // io/key_value.c
 #include "io/key_value.h"
 
-#include "io/nearest.h"
+#include "base/nearest.h"
 
 #include <limits.h>
 #include <math.h>

@@ -56,14 +56,10 @@ typedef struct shape_spec {
     rectangle_spec rectangle;
     polygon_spec polygon;
     key_text material;  // a name, or "none": the shape cuts a hole into what lies below
-    int material_index; // set by shapes_bind; -1 for none
+    int material_index; // set by section_case_bind; -1 for none
 } shape_spec;
 
 extern const key_table shape_keys; // one entry of `section.shapes`
-
-// Sets every shape's material_index from its material's name: shapes of shape_spec, materials of
-// material. ERR_INPUT for a name that is not there; *where is then its place in the case.
-status shapes_bind(key_list shapes, key_list materials, mark *where);
 
 typedef struct shape_list {
     int count;

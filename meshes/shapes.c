@@ -1,7 +1,6 @@
 // meshes/shapes.c
 #include "meshes/shape.h"
 
-#include "base/material.h"
 #include "base/memory.h"
 #include "meshes/outline.h"
 #include "meshes/outline_turn.h"
@@ -308,24 +307,4 @@ bool shapes_vary(shape_list shapes)
         }
     }
     return false;
-}
-
-status shapes_bind(key_list shapes, key_list materials, mark *where)
-{
-    shape_spec *items = shapes.items;
-    const material *known = materials.items;
-    for (int k = 0; k < shapes.count; k++) {
-        const char *name = items[k].material.text;
-        *where = items[k].material.at;
-        items[k].material_index = -1;
-        for (int i = 0; name && i < materials.count; i++) {
-            if (strcmp(known[i].name, name) == 0) {
-                items[k].material_index = i;
-            }
-        }
-        if (items[k].material_index < 0 && (!name || strcmp(name, "none") != 0)) {
-            return status_fail(ERR_INPUT, "material '%s' is not defined", name ? name : "");
-        }
-    }
-    return OK;
 }

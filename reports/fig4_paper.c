@@ -17,36 +17,19 @@ static bool near(double value, double wanted)
     return fabs(value - wanted) <= alike * fabs(wanted);
 }
 
-bool segment_tip_wrench(const run_result *r, int load, vec6 *wrench)
-{
-    const segment_load_result *l = &r->segment.load[load];
-    mat6 stiffness;
-    if (!mat6_inverse_spd(mat6_symmetric(r->segment.tip_compliance), &stiffness)) {
-        return false;
-    }
-    vec6 motion;
-    for (int i = 0; i < 3; i++) {
-        motion.a[i] = l->tip_displacement[i];
-        motion.a[3 + i] = l->tip_rotation[i];
-    }
-    *wrench = mat6_mul_vec(stiffness, motion);
-    return true;
-}
-
 fig4_load fig4_which(const run_result *r, int load)
 {
     const segment_result *s = &r->segment;
     beam_centres centres;
-    vec6 wrench;
     if (!r->has_segment || s->nload != 2 || !near(r->segment_length, paper_length) ||
-        !segment_tip_wrench(r, load, &wrench) || beam_law_centres(&s->middle, &centres) != OK) {
+        beam_law_centres(&s->middle, &centres) != OK) {
         status_clear();
         return FIG4_NONE;
     }
+    const double *force = s->load[load].force;
     const double r_nc = hypot(centres.stiffness_centre[0], centres.stiffness_centre[1]);
-    if (!near(centres.EA, paper_EA) || !near(r_nc, paper_r_nc) ||
-        !near(wrench.a[NZ], -paper_force) ||
-        hypot(wrench.a[NX], wrench.a[NY]) > alike * paper_force) {
+    if (!near(centres.EA, paper_EA) || !near(r_nc, paper_r_nc) || !near(force[2], -paper_force) ||
+        hypot(force[0], force[1]) > alike * paper_force) {
         return FIG4_NONE;
     }
     const double *at = s->load[load].point;

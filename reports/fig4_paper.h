@@ -4,10 +4,6 @@
 
 #include "reports/result.h"
 
-// What a load was, from what it did: the tip compliance inverted on the tip's motion. False where
-// it cannot be. wrench: (n, m) on the tip about the geometric centre [N, N m].
-bool segment_tip_wrench(const run_result *r, int load, vec6 *wrench);
-
 typedef enum fig4_load { FIG4_NONE, FIG4_AT_GC, FIG4_AT_NC } fig4_load;
 
 // FIG4_NONE unless this is a 20 mm segment of the constant-NC section under (0, 0, -0.5) N at GC

@@ -5,10 +5,7 @@
 
 #include <math.h>
 
-static const double arrow_length = 46; // [points] of a load along the paper
-// force times length over moment: below it the force is rounding
-static const double pure_moment = 1e-6;
-
+static const double arrow_length = 46;
 // --- on paper ---
 
 typedef struct sheet {
@@ -187,13 +184,9 @@ static void load_arrow(const sheet *h, int load)
     double at[2], from[2];
     to_sheet(h, point, at);
 
-    vec6 w6 = {{0}};
-    if (!segment_tip_wrench(h->s->r, load, &w6)) {
-        return;
-    }
-    const vec3 force = {{w6.a[0], w6.a[1], w6.a[2]}}, moment = {{w6.a[3], w6.a[4], w6.a[5]}};
-    // of a pure moment the solve leaves a force of rounding
-    const bool pure = vec3_norm(force) * h->s->r->segment_length < pure_moment * vec3_norm(moment);
+    const vec3 force = {{l->force[0], l->force[1], l->force[2]}};
+    const vec3 moment = {{l->moment[0], l->moment[1], l->moment[2]}};
+    const bool pure = vec3_norm(force) == 0;
     const vec3 along = pure ? moment : force;
     const double size = vec3_norm(along);
     if (size > 0) {

@@ -2,6 +2,7 @@
 // Comparisons, assumptions and where the numbers come from.
 #include "reports/page_kit.h"
 
+#include <math.h>
 #include <string.h>
 
 int compare_out_of_tolerance(const run_result *r)
@@ -105,11 +106,16 @@ status page_assumptions(bytes *page, const run_result *r)
     PAGE("<h2 id=\"assumptions\">Assumptions</h2>\n<ul>\n<li>Materials are linear, isotropic and "
          "perfectly bonded where they meet.</li>\n");
     if (r->has_rod) {
-        PAGE("<li>Tendons run without friction under constant tension, in straight lines or along "
-             "the routing "
-             "that the case gives; where a channel's radius was not measured, the case's radius is "
-             "an assumption, "
-             "and a tenth of a millimetre moves a soft rod's tip by millimetres.</li>\n"
+        PAGE("<li>Tendons run without friction under constant tension, along the routing that the "
+             "case gives. At the base:");
+        for (int i = 0; i < r->rod.ntendon; i++) {
+            const double *at = r->rod.tendon_base[i];
+            PAGE("%s ", i ? "," : "");
+            TRY(page_escaped(page, r->rod.tendon_name[i]));
+            PAGE(" at radius %.3f mm", 1e3 * hypot(at[0], at[1]));
+        }
+        PAGE(". Where a channel's radius was not measured it is an assumption, and a tenth of a "
+             "millimetre moves a soft rod's tip by millimetres.</li>\n"
              "<li>No gravity and no other load on the rod.</li>\n");
     }
     if (r->has_section && r->section_model == MODEL_CLASSICAL) {

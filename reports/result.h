@@ -30,6 +30,7 @@ typedef struct compare_row {
 typedef struct rod_result {
     int ntendon, npoint;
     char tendon_name[16][64];
+    double tendon_base[16][2]; // where each starts: x, y at s = 0 [m]
     int nsolution;
     struct rod_run {
         double tension[16];       // [ntendon] [N]

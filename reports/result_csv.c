@@ -159,7 +159,8 @@ static status write_segment(const run_result *r, const char *dir)
 {
     csv *c = NULL;
     header h = {0};
-    add_all(&h, "load point_x_m point_y_m shortening_m tip_displacement_x_m tip_displacement_y_m "
+    add_all(&h, "load point_x_m point_y_m force_x_N force_y_N force_z_N moment_x_Nm moment_y_Nm "
+                "moment_z_Nm shortening_m tip_displacement_x_m tip_displacement_y_m "
                 "tip_displacement_z_m tip_rotation_x_rad tip_rotation_y_rad tip_rotation_z_rad "
                 "mid_curvature_x_per_m mid_curvature_y_per_m strain_energy_J");
     const status st = open_table(dir, "segment.csv", &h, &c);
@@ -167,6 +168,8 @@ static status write_segment(const run_result *r, const char *dir)
         const segment_load_result *load = &r->segment.load[i];
         csv_text(c, load->name ? load->name : "");
         reals(c, 2, load->point);
+        reals(c, 3, load->force);
+        reals(c, 3, load->moment);
         csv_real(c, load->shortening);
         reals(c, 3, load->tip_displacement);
         reals(c, 3, load->tip_rotation);

@@ -116,6 +116,8 @@ static void write_load(json *j, const segment_load_result *load)
     json_object(j, NULL);
     json_text(j, "name", load->name);
     json_reals(j, "point_m", 2, load->point);
+    json_reals(j, "force_N", 3, load->force);
+    json_reals(j, "moment_Nm", 3, load->moment);
     json_real(j, "shortening_m", load->shortening);
     json_reals(j, "tip_displacement_m", 3, load->tip_displacement);
     json_reals(j, "tip_rotation_rad", 3, load->tip_rotation);

@@ -55,6 +55,7 @@ status store_pass_rod(const passage *p, run_result *r)
     static const column length = {"length_m", COLUMN_REAL, "m", offsetof(run_result, rod_length),
                                   0,          {0},         0};
     static const column name = {"name", COLUMN_TEXT, "-", 0, 0, {sizeof r->rod.tendon_name[0]}, 0};
+    static const column base = {"base_m", COLUMN_REAL, "m", 0, 1, {2}, 0};
     status st = OK;
     rod_result *rod = &r->rod;
     int n = rod->nsolution;
@@ -62,6 +63,8 @@ status store_pass_rod(const passage *p, run_result *r)
     TRY(passage_count(p, "rod/tendon_count", 0, RESULT_MAX_TENDONS, &rod->ntendon));
     TRY(passage_columns(p, "rod/tendon", 1, &name,
                         rows_of(rod->tendon_name, rod->ntendon, sizeof rod->tendon_name[0])));
+    TRY(passage_columns(p, "rod/tendon", 1, &base,
+                        rows_of(rod->tendon_base, rod->ntendon, sizeof rod->tendon_base[0])));
     TRY(passage_count(p, "rod/point_count", 2, MOST_POINTS, &rod->npoint));
     TRY(passage_count(p, "rod/solution_count", 0, MOST_SOLUTIONS, &n));
     TRY(passage_room(p, (void **)&rod->run, (size_t)n, sizeof *rod->run));

@@ -47,6 +47,8 @@ static status pass_loads(const passage *p, run_result *r)
 #define LOAD(member) offsetof(segment_load_result, member)
     static const column columns[] = {
         {"point_m", COLUMN_REAL, "m", LOAD(point), 1, {2}, 0},
+        {"force_N", COLUMN_REAL, "N", LOAD(force), 1, {3}, 0},
+        {"moment_Nm", COLUMN_REAL, "N m", LOAD(moment), 1, {3}, 0},
         {"shortening_m", COLUMN_REAL, "m", LOAD(shortening), 0, {0}, 0},
         {"tip_displacement_m", COLUMN_REAL, "m", LOAD(tip_displacement), 1, {3}, 0},
         {"tip_rotation_rad", COLUMN_REAL, "rad", LOAD(tip_rotation), 1, {3}, 0},

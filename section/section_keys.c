@@ -1,7 +1,8 @@
 // section/section_keys.c
 #include "section/section.h"
 
-#include <stdio.h>
+#include "base/nearest.h"
+
 #include <string.h>
 
 enum { MOST_STATIONS = 1000, MOST_SHAPES = 500 };
@@ -84,15 +85,15 @@ static int find_material(const key_list *materials, const char *name)
 
 static status unknown_material(const key_list *materials, const char *name)
 {
-    char known[200] = "";
-    size_t used = 0;
     const material *m = materials->items;
-    for (int i = 0; i < materials->count && used < sizeof known; i++) {
-        const int n = snprintf(known + used, sizeof known - used, "%s%s", i ? ", " : "", m[i].name);
-        used += n > 0 ? (size_t)n : 0;
+    nearest near = nearest_to(name);
+    char words[NEAREST_WORDS];
+    nearest_offer(&near, "none", "none");
+    for (int i = 0; i < materials->count; i++) {
+        nearest_offer(&near, m[i].name, m[i].name);
     }
-    return status_fail(ERR_INPUT, "material '%s' is not defined; the case has: %s%s", name, known,
-                       used < sizeof known ? "" : "...");
+    return status_fail(ERR_INPUT, "material '%s' is not defined%s", name,
+                       nearest_words(&near, words));
 }
 
 status section_case_bind(section_case *c, const key_list *materials, mark *where)

@@ -180,22 +180,6 @@ static void what_varies_along_the_rod_freezes_at_its_place(void)
     section_outline_free(&o);
 }
 
-static void materials_are_found_by_name(void)
-{
-    material known[] = {{.name = "soft"}, {.name = "stiff"}};
-    shape_spec shapes[] = {a_disc(1, 0, 0, 7), a_disc(1, 0, 0, 7), a_disc(1, 0, 0, 7)};
-    shapes[0].material = (key_text){.text = "stiff", .at = {4, 5}};
-    shapes[1].material = (key_text){.text = "none", .at = {5, 5}};
-    shapes[2].material = (key_text){.text = "sofd", .at = {6, 5}};
-    const key_list materials = {.count = 2, .items = known};
-    mark where = {0};
-    CHECK(shapes_bind((key_list){.count = 3, .items = shapes}, materials, &where) == ERR_INPUT);
-    CHECK(where.line == 6 && strstr(status_message(), "'sofd'"));
-    status_clear();
-    CHECK_OK(shapes_bind((key_list){.count = 2, .items = shapes}, materials, &where));
-    CHECK(shapes[0].material_index == 1 && shapes[1].material_index == -1);
-}
-
 int main(void)
 {
     bad_numbers_are_refused_with_the_shape();
@@ -204,6 +188,5 @@ int main(void)
     the_last_sector_declares_turn_and_symmetry();
     a_turned_section_is_recognised();
     what_varies_along_the_rod_freezes_at_its_place();
-    materials_are_found_by_name();
     return test_failures != 0;
 }

@@ -204,7 +204,7 @@ static inline status make_load(const run_result *r, mat6 F, const char *name, do
     const vec6 e = mat6_mul_vec(F, wrench);
     const vec6 tip = mat6_mul_vec(r->segment.tip_compliance, wrench);
 
-    *out = (segment_load_result){.name = name, .point = {x, 0}};
+    *out = (segment_load_result){.name = name, .point = {x, 0}, .force = {0, 0, force}};
     memcpy(out->tip_displacement, tip.a, sizeof out->tip_displacement);
     memcpy(out->tip_rotation, tip.a + 3, sizeof out->tip_rotation);
     out->mid_curvature[0] = e.a[3];

@@ -103,6 +103,7 @@ static void make_rod(counter *c, run_result *r)
     r->has_rod = true;
     r->rod_length = 0.12;
     *rod = (rod_result){.ntendon = 2, .npoint = 3, .nsolution = 2};
+    fill(c, 4, rod->tendon_base[0]);
     (void)snprintf(rod->tendon_name[0], sizeof rod->tendon_name[0], "t1");
     (void)snprintf(rod->tendon_name[1], sizeof rod->tendon_name[1], "\"=t2\"");
     CHECK_OK(TAKE(rod->run, 2));
@@ -152,6 +153,8 @@ static void make_segment(counter *c, run_result *r)
         fill(c, 2, load->point);
         fill(c, 1, &load->shortening);
         fill(c, 3, load->tip_displacement);
+        fill(c, 3, load->force);
+        fill(c, 3, load->moment);
         fill(c, 3, load->tip_rotation);
         fill(c, 2, load->mid_curvature);
         fill(c, 1, &load->strain_energy);
@@ -509,7 +512,7 @@ static void tables_have_a_line_per_thing(const scratch *dir)
     check_table(dir, "rods.csv", 3,
                 "solution_count,tension_1_t1_N,\"tension_2_\"\"=t2\"\"_N\",tip_x_m,");
     check_table(dir, "shapes.csv", 7, "solution_count,s_m,x_m,y_m,z_m,curvature_x_per_m,");
-    check_table(dir, "segment.csv", 3, "load,point_x_m,point_y_m,shortening_m,");
+    check_table(dir, "segment.csv", 3, "load,point_x_m,point_y_m,force_x_N,");
     check_table(dir, "compare.csv", 3, "what,unit,ours_in_unit,other_in_unit,difference_ratio,");
 
     size_t size = 0;

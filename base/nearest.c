@@ -1,5 +1,5 @@
-// io/nearest.c
-#include "io/nearest.h"
+// base/nearest.c
+#include "base/nearest.h"
 
 #include <limits.h>
 #include <stdio.h>

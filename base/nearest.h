@@ -1,4 +1,4 @@
-// io/nearest.h
+// base/nearest.h
 // "did you mean ...?": the known name that is nearest to what was written.
 #pragma once
 
