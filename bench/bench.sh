@@ -13,7 +13,7 @@ timed() {
 timed 0.15 'section constant_nc (full)' "$program" section cases/constant_nc.yaml --json
 timed 0.15 'rod constant_nc (full)' "$program" rod cases/constant_nc.yaml --json
 timed 0.15 'rod helical_nc' "$program" rod cases/helical_nc.yaml --json
-timed 0.15 'section catheter (full, gmsh mesh)' "$program" section cases/catheter.yaml --json
+timed 1.0 'section catheter (full, gmsh mesh)' "$program" section cases/catheter.yaml --json
 timed 1.5 'fem fig4' "$program" fem cases/fig4.yaml --json
 
 for bench in "$bin"/bench_*; do
