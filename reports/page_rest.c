@@ -99,6 +99,16 @@ done:
     return st;
 }
 
+static bool pattern_turns(const law_along *along)
+{
+    for (int i = 1; along->turn && i < along->npanel * along->nnode; i++) {
+        if (along->turn[i] != along->turn[0]) {
+            return true;
+        }
+    }
+    return false;
+}
+
 status page_assumptions(bytes *page, const run_result *r)
 {
     status st = OK;
@@ -122,6 +132,11 @@ status page_assumptions(bytes *page, const run_result *r)
         PAGE("<li>The classical model takes torsion and shear without warping: right for "
              "axisymmetric sections "
              "only.</li>\n");
+    }
+    if (r->has_section && r->section_model == MODEL_FULL && pattern_turns(&r->section.along)) {
+        PAGE("<li>The pattern turns along the rod, and each station is taken as if it were "
+             "prismatic: couplings of stretch and twist that a turning pattern has are not in "
+             "K.</li>\n");
     }
     if (r->has_segment) {
         PAGE("<li>The 3D segment is linear: displacements are taken as small.</li>\n");
