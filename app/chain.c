@@ -132,7 +132,7 @@ status chain_run(const command *cmd, const case_data *c, chain_parts parts, run_
         command_progress(cmd, "3D segment");
         TRY(chain_segment(c, &r));
     }
-    if (parts.compare && cmd->first_rank) {
+    if (parts.compare) { // on every rank: the section's law by 3D FEM is solved by all of them
         TRY(compare_all(cmd, c, &r));
     }
     versions_loaded(r.versions, sizeof r.versions);

@@ -2,6 +2,7 @@
 #include "app/command.h"
 
 #include "base/nearest.h"
+#include "fem/segment.h"
 
 #include <errno.h>
 #include <limits.h>
@@ -186,24 +187,11 @@ static status check_command(const command *cmd)
     return OK;
 }
 
-// the rank that mpirun gave to this process, without starting MPI
-static bool is_first_rank(void)
-{
-    const char *names[] = {"OMPI_COMM_WORLD_RANK", "PMIX_RANK", "PMI_RANK"};
-    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
-        const char *rank = getenv(names[i]);
-        if (rank) {
-            return strcmp(rank, "0") == 0;
-        }
-    }
-    return true;
-}
-
 status command_parse(int argc, const char *const *argv, command *out)
 {
     status st = OK;
     bool only_words = false;
-    *out = (command){.summary_lines = COMMAND_SUMMARY_LINES, .first_rank = is_first_rank()};
+    *out = (command){.summary_lines = COMMAND_SUMMARY_LINES, .first_rank = segment_rank() == 0};
     for (int i = 1; i < argc; i++) {
         if (!only_words && strcmp(argv[i], "--") == 0) {
             only_words = true;

@@ -7,8 +7,8 @@
 
 #include <stdbool.h>
 
-// SIGINT, SIGTERM and SIGHUP end the program with exit code 130; a closed pipe becomes a write
-// error.
+// SIGINT, SIGTERM and SIGHUP end the program with exit code 130; a closed pipe, or a file
+// beyond the limit on sizes, becomes a write error.
 void interrupt_install(void);
 
 // From here to interrupt_release a signal is only remembered.

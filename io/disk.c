@@ -59,6 +59,39 @@ status disk_sync(const char *path)
     return sync_and_close(fd, path);
 }
 
+static status write_all(int fd, const char *path, const char *data, size_t size)
+{
+    while (size > 0) {
+        const ssize_t n = write(fd, data, size);
+        if (n < 0 && errno != EINTR) {
+            return disk_fail(path, "write");
+        }
+        data += n > 0 ? n : 0;
+        size -= n > 0 ? (size_t)n : 0;
+    }
+    return OK;
+}
+
+status disk_write(const char *path, const void *data, size_t size)
+{
+    const int fd = open(path, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+    if (fd < 0) {
+        return disk_fail(path, "write");
+    }
+    status st = write_all(fd, path, data, size);
+    if (st == OK && fsync(fd) != 0 && errno != EINVAL && errno != ENOTSUP) {
+        st = disk_fail(path, "write");
+    }
+    // some file systems tell at the end only that there was no room
+    if (close(fd) != 0 && st == OK) {
+        st = disk_fail(path, "write");
+    }
+    if (st != OK) {
+        (void)unlink(path);
+    }
+    return st;
+}
+
 // what is done with each entry of a directory before the directory itself
 typedef status (*visit_function)(int parent, const char *name, int depth, dev_t device);
 

@@ -33,7 +33,8 @@ typedef struct hdf5_array {
 typedef struct hdf5_file hdf5_file;
 
 typedef struct hdf5_door {
-    // A new file; one that is there already is ERR_RESOURCE.
+    // A new file, in memory: HDF5 crashes at exit after a disk that was full. `path` is only looked
+    // at: a file that is there already is ERR_RESOURCE.
     status (*create)(const char *path, hdf5_file **out);
     // Groups are made as needed; unit becomes the attribute `unit`.
     status (*write)(hdf5_file *f, const char *name, const hdf5_array *array, const void *data,
@@ -41,8 +42,10 @@ typedef struct hdf5_door {
     // An attribute of a group, which is made as needed; "/" is the root.
     status (*put)(hdf5_file *f, const char *group, const char *name, const hdf5_array *array,
                   const void *data);
-    status (*finish)(hdf5_file *f); // flush and close; frees f also where it fails. A file that is
-                                    // read ends with its process
+    // The new file's bytes, *image the caller's to free; f stays open.
+    status (*image)(const hdf5_file *f, void **image, size_t *bytes);
+    void (*close)(hdf5_file *f); // a new file, which is lost. A file that is read ends with its
+                                 // process
 
     status (*open)(const char *path, hdf5_file **out); // ERR_FILE
     bool (*has)(const hdf5_file *f, const char *name);

@@ -12,6 +12,8 @@
 static const size_t pack_bytes = (size_t)1 << 18;
 // rows of a packed array that lie together
 static const size_t chunk_bytes = (size_t)1 << 20;
+// by which the memory of a new file grows
+static const size_t growth_bytes = (size_t)1 << 20;
 // deflate packs 1032 to 1 at best: a file that claims more is damaged
 static const size_t pack_ratio_max = 1100;
 
@@ -109,9 +111,12 @@ static hid_t array_space(scope *s, const hdf5_array *array)
 
 // Our renaming keeps readers and writers apart: no locks, which some file systems lack. Closing a
 // file closes all in it.
-static hid_t access_plist(scope *s)
+static hid_t access_plist(scope *s, bool create)
 {
     const hid_t plist = keep(s, H5Pcreate(H5P_FILE_ACCESS));
+    if (create) {
+        check(s, H5Pset_fapl_core(plist, growth_bytes, 0));
+    }
     check(s, H5Pset_file_locking(plist, 0, 1));
     check(s, H5Pset_fclose_degree(plist, H5F_CLOSE_STRONG));
     return plist;
@@ -123,7 +128,7 @@ static status open_file(const char *path, bool create, hdf5_file **out)
     hdf5_file *f = NULL;
     scope s = {0};
     TRY(TAKE(f, 1));
-    const hid_t access = access_plist(&s);
+    const hid_t access = access_plist(&s, create);
     f->id = create ? H5Fcreate(path, H5F_ACC_EXCL, H5P_DEFAULT, access)
                    : H5Fopen(path, H5F_ACC_RDONLY, access);
     check(&s, f->id < 0 ? -1 : 0);
@@ -151,13 +156,27 @@ static status door_open_file(const char *path, hdf5_file **out)
     return open_file(path, false, out);
 }
 
-static status door_finish(hdf5_file *f)
+static status door_image(const hdf5_file *f, void **image, size_t *bytes)
 {
+    status st = OK;
     scope s = {0};
     check(&s, H5Fflush(f->id, H5F_SCOPE_GLOBAL));
-    check(&s, H5Fclose(f->id));
+    const ssize_t size = H5Fget_file_image(f->id, NULL, 0);
+    check(&s, size < 0 ? -1 : 0);
+    TRY(leave(&s, ERR_RESOURCE, "finish", "the file"));
+    TRY(memory_take(image, (size_t)size, 1));
+    check(&s, H5Fget_file_image(f->id, *image, (size_t)size) == size ? 0 : -1);
+    TRY(leave(&s, ERR_RESOURCE, "finish", "the file"));
+    *bytes = (size_t)size;
+
+done:
+    return st;
+}
+
+static void door_close(hdf5_file *f)
+{
+    (void)H5Fclose(f->id);
     free(f);
-    return leave(&s, ERR_RESOURCE, "write", "the file");
 }
 
 // --- writing -------------------------------------------------------------------------------------
@@ -370,7 +389,8 @@ const hdf5_door *hdf5_door_table(void)
         .create = door_create,
         .write = door_write,
         .put = door_put,
-        .finish = door_finish,
+        .image = door_image,
+        .close = door_close,
         .open = door_open_file,
         .has = door_has,
         .look = door_look,

@@ -66,11 +66,11 @@ done:
 status store_commit(store *s)
 {
     status st = OK;
+    void *image = NULL;
+    size_t bytes = 0;
     char parent[DISK_MAX_PATH];
-    hdf5_file *file = s->file;
-    s->file = NULL; // closed by finish, also where it fails
-    TRY(s->door->finish(file));
-    TRY(disk_sync(s->work));
+    TRY(s->door->image(s->file, &image, &bytes));
+    TRY(disk_write(s->work, image, bytes));
     if (rename(s->work, s->path) != 0) {
         TRY(disk_fail(s->path, "rename the result to"));
     }
@@ -78,6 +78,7 @@ status store_commit(store *s)
     TRY(disk_sync(parent));
 
 done:
+    free(image);
     store_abandon(s);
     return st;
 }
@@ -88,9 +89,7 @@ void store_abandon(store *s)
         return;
     }
     if (s->file) {
-        (void)s->door->finish(s->file);
-    }
-    if (s->door) {
+        s->door->close(s->file);
         (void)unlink(s->work); // gone already after a commit
     }
     free(s);

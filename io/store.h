@@ -1,6 +1,6 @@
 // io/store.h
 // One HDF5 file per run: our numbers with units beside them, and VTKHDF 1.0 unstructured grids.
-// Opens the HDF5 module. Written under a temporary name, flushed, closed, fsynced and renamed; read
+// Opens the HDF5 module. Built in memory, written under a temporary name, fsynced and renamed; read
 // back for `report`.
 #pragma once
 
@@ -12,9 +12,9 @@
 
 typedef struct store store;
 
-status store_create(const char *path, store **out); // writes path.tmp-PID until store_commit
-status store_commit(store *s); // everything or nothing: rename into place, frees s
-void store_abandon(store *s);  // removes the temporary file; NULL is fine
+status store_create(const char *path, store **out); // nothing on disk until store_commit
+status store_commit(store *s); // everything or nothing: path.tmp-PID, renamed; frees s
+void store_abandon(store *s);  // NULL is fine
 
 // name: "section/EA_N", groups made as needed. rank <= 4. unit: "N", "m", "-" ..., kept as
 // attribute `unit`.

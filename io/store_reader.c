@@ -46,8 +46,8 @@ status store_sniff(const char *path)
     (void)close(fd);
     if (!same) {
         return status_fail(ERR_FILE, "%s: %s", path,
-                           regular ? "not a result: it is not an HDF5 file"
-                                   : "not a result: it is not a regular file");
+                           regular ? "not a stiffaxis result: it is not an HDF5 file"
+                                   : "not a stiffaxis result: it is not a regular file");
     }
     return OK;
 }
@@ -120,9 +120,13 @@ static status open_checked(const char *path, const char *schema, const hdf5_door
     TRY(door_open("hdf5", HDF5_DOOR_SYMBOL, &found));
     *door = ((hdf5_door_table_function)found)();
     TRY((*door)->open(path, file));
-    TRY((*door)->get_text(*file, "schema", sizeof text, text));
+    if ((*door)->get_text(*file, "schema", sizeof text, text) != OK ||
+        strncmp(text, "stiffaxis/", strlen("stiffaxis/")) != 0) {
+        status_clear();
+        return status_fail(ERR_FILE, "not a stiffaxis result");
+    }
     if (strcmp(text, schema) != 0) {
-        return status_fail(ERR_FILE, "not a result: its schema is '%s', not '%s'", text, schema);
+        return status_fail(ERR_FILE, "not a result that this version reads: its schema is '%s', not '%s'", text, schema);
     }
 
 done:

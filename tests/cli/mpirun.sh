@@ -43,4 +43,7 @@ END
 expect 0 mpirun $root --oversubscribe -n 2 "$program" fem "$case" --out "$work/two"
 [ -s "$work/two/result.hdf" ] || fail 'nothing was written'
 [ "$(grep -c 'centre found' "$work/out")" -eq 1 ] || fail 'more than one process speaks'
+# every rank takes part in a comparison; one speaks
+expect 0 timeout 120 mpirun $root --oversubscribe -n 2 "$program" compare "$case"
+[ "$(grep -c '^tolerances' "$work/out")" -eq 1 ] || fail 'more than one process speaks'
 finish
