@@ -43,6 +43,10 @@ status answer_end(command *cmd, status st)
 {
     char line[1200];
     command_progress(cmd, NULL);
+    // the JSON writer sees the closed pipe itself
+    if (st == ERR_RESOURCE && command_reader_left()) {
+        return OK;
+    }
     if (st != OK && (cmd->first_rank || st == ERR_RESOURCE || st == ERR_BUG)) {
         answer_error_line(status_message(), line, sizeof line);
         fprintf(stderr, "%s\n", line);

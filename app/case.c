@@ -78,12 +78,14 @@ done:
 status case_place(const case_data *c, status st, mark at)
 {
     char words[1024];
-    if (st != ERR_INPUT || strstr(status_message(), ": error: ")) {
+    const bool placed = status_place(&at.line, &at.column);
+    if (st == OK || (st != ERR_INPUT && !placed) || strstr(status_message(), ": error: ")) {
         return st;
     }
     (void)snprintf(words, sizeof words, "%s", status_message());
     status_clear();
-    return config_fail(c->config, at, "%s", words);
+    (void)config_fail(c->config, at, "%s", words);
+    return st;
 }
 
 static double last_station(const key_rows *stations)
@@ -115,8 +117,8 @@ static status check_section(case_data *c)
     }
     for (int i = 0; i < stations->nrow * stations->ncol; i++) {
         if (stations->a[i] < 0 || stations->a[i] > c->length) {
-            return config_fail(c->config, stations->at, "station %g m lies outside 0 to %g m",
-                               stations->a[i], c->length);
+            return config_fail(c->config, stations->at, "station %g mm lies outside 0 to %g mm",
+                               1e3 * stations->a[i], 1e3 * c->length);
         }
     }
     return OK;
@@ -136,8 +138,8 @@ static status check_parts(case_data *c)
         TRY(case_place(c, segment_case_check(&c->file.fem, &where), where));
         if (c->file.fem.section_at > c->length) {
             st = config_fail(c->config, c->file.fem.at,
-                             "the segment's section at %g m lies beyond the rod's %g m",
-                             c->file.fem.section_at, c->length);
+                             "the segment's section at %g mm lies beyond the rod's %g mm",
+                             1e3 * c->file.fem.section_at, 1e3 * c->length);
         }
     }
 

@@ -45,6 +45,6 @@ status case_need_segment(const case_data *c);
 // to *initial.
 void case_keys(key_table *root, case_file *initial);
 
-// `st` as it is, unless it is ERR_INPUT without a place: then its message gets file, line and
-// column of `at`.
+// `st` as it is, unless it is ERR_INPUT, or has a place, without the case's file: then its message
+// gets file, line and column, its own (status_place) or else those of `at`.
 status case_place(const case_data *c, status st, mark at);

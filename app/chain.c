@@ -3,6 +3,7 @@
 
 #include "app/compare.h"
 #include "app/versions.h"
+#include "app/warnings.h"
 #include "base/memory.h"
 
 #include <string.h>
@@ -108,7 +109,7 @@ status chain_section(const case_data *c, bool mesh, run_result *out)
         const double s = out->section.station[0].s;
         TRY(case_place(c, shapes_at(c->shapes, s, &outline), section->at));
         out->symmetry_turn = outline.has_symmetry ? outline.turn : 0;
-        TRY(section_mesh_at(section, s, &out->section_mesh));
+        TRY(case_place(c, section_mesh_at(section, s, &out->section_mesh), section->at));
     }
 
 done:
@@ -126,9 +127,11 @@ status chain_run(const command *cmd, const case_data *c, chain_parts parts, run_
         TRY(chain_section(c, parts.pictures, &r));
     }
     if (parts.rod) {
+        TRY(warn_tendons(cmd, c));
         TRY(chain_rods(cmd, c, &r));
     }
     if (parts.segment) {
+        TRY(warn_segment(cmd, c));
         command_progress(cmd, "3D segment");
         TRY(chain_segment(c, &r));
     }

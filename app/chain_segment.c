@@ -39,6 +39,7 @@ static status make_meshes(const case_data *c, run_result *out, int *nlevel, doub
     TRY(case_place(c, shapes_at(c->shapes, c->file.fem.section_at, &outline), c->file.section.at));
     const segment_case sc = segment_choose(&c->file.fem, outline.size);
     TRY(chain_plane_mesh(c, sc.section_at, sc.order, sc.size, &out->segment_plane));
+    TRY(segment_check_size(&sc, out->segment_plane.nnode));
     const extrude_options options = {
         .length = sc.length,
         .layers = sc.layers,

@@ -1,8 +1,15 @@
 // app/cmd_check.c
-// stiffaxis check CASE: reads the case, and freezes its shapes at both ends and in the middle.
+// stiffaxis check CASE: reads the case, and draws and meshes its section at both ends and in the
+// middle.
 #include "app/case.h"
 #include "app/document.h"
+#include "app/warnings.h"
 #include "io/json.h"
+
+static const char *plural(int count)
+{
+    return count == 1 ? "" : "s";
+}
 
 static status write_check(const command *cmd, const case_data *c, FILE *stream)
 {
@@ -10,14 +17,16 @@ static status write_check(const command *cmd, const case_data *c, FILE *stream)
     json *j = NULL;
     const int ntendon = c->file.rod.tendons.count, nload = c->file.fem.loads.count;
     if (!cmd->json) {
-        fprintf(stream, "%s: good: %d materials, %d shapes", config_path(c->config), c->nmaterial,
-                c->shapes.count);
+        const int nrow = c->file.rod.tensions.nrow;
+        fprintf(stream, "%s: good: %d material%s, %d shape%s", config_path(c->config), c->nmaterial,
+                plural(c->nmaterial), c->shapes.count, plural(c->shapes.count));
         if (case_has_rod(c)) {
-            fprintf(stream, ", rod of %g mm with %d tendons and %d rows of tensions",
-                    1e3 * c->file.rod.length, ntendon, c->file.rod.tensions.nrow);
+            fprintf(stream, ", rod of %g mm with %d tendon%s and %d row%s of tensions",
+                    1e3 * c->file.rod.length, ntendon, plural(ntendon), nrow, plural(nrow));
         }
         if (case_has_segment(c)) {
-            fprintf(stream, ", segment of %g mm with %d loads", 1e3 * c->file.fem.length, nload);
+            fprintf(stream, ", segment of %g mm with %d load%s", 1e3 * c->file.fem.length, nload,
+                    plural(nload));
         }
         fputc('\n', stream);
         return OK;
@@ -45,12 +54,13 @@ status cmd_check(command *cmd)
     case_data c = {0};
     document d = {0};
     TRY(case_open(cmd->argument, cmd->noverride, cmd->overrides, &c));
+    // free meshes take a library's start: one is enough
     for (int i = 0; i <= 2; i++) {
-        section_outline outline = {0};
-        st = shapes_at(c.shapes, 0.5 * i * c.length, &outline);
-        section_outline_free(&outline);
+        st = section_check(&c.file.section, c.materials, 0.5 * i * c.length, i == 0);
         TRY(case_place(&c, st, c.file.section.at));
     }
+    TRY(case_has_rod(&c) ? warn_tendons(cmd, &c) : OK);
+    TRY(case_has_segment(&c) ? warn_segment(cmd, &c) : OK);
     TRY(document_begin(&d));
     TRY(write_check(cmd, &c, d.stream));
     TRY(document_end(&d, cmd, cmd->json ? "check.json" : "check.txt"));

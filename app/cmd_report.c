@@ -3,8 +3,13 @@
 #include "app/answer.h"
 #include "app/command.h"
 #include "app/save.h"
+#include "io/disk.h"
+#include "io/marker.h"
 #include "reports/figures.h"
 
+#include <errno.h>
+#include <limits.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 
@@ -22,16 +27,43 @@ static status result_file(const char *given, char *path, size_t size)
     return OK;
 }
 
-// result.hdf becomes result-report
+// the directory that holds the file, by a name that something can be appended to
+static status holder(const char *path, char *directory, size_t size)
+{
+    status st = OK;
+    char real[PATH_MAX];
+    TRY(disk_parent(path, directory, size));
+    for (size_t n = strlen(directory); n > 1 && directory[n - 1] == '/'; n--) {
+        directory[n - 1] = '\0';
+    }
+    const char *slash = strrchr(directory, '/'), *last = slash ? slash + 1 : directory;
+    if (strcmp(last, ".") == 0 || strcmp(last, "..") == 0) {
+        if (!realpath(directory, real)) {
+            return status_fail(ERR_INPUT, "%s: cannot open: %s", path, strerror(errno));
+        }
+        TRY(disk_join(directory, size, "%s", real));
+    }
+
+done:
+    return st;
+}
+
+// Beside what a run wrote, never inside: a directory of results holds what its run wrote and
+// nothing else.
 static status default_directory(const char *path, char *directory, size_t size)
 {
+    status st = OK;
+    char where[MAX_PATH];
     size_t stem = strlen(path);
-    stem -= stem > 4 && strcmp(path + stem - 4, ".hdf") == 0 ? 4 : 0;
-    const int length = snprintf(directory, size, "%.*s-report", (int)stem, path);
-    if (length < 0 || (size_t)length >= size) {
-        return status_fail(ERR_INPUT, "the path is longer than %zu bytes", size);
+    TRY(holder(path, where, sizeof where));
+    if (marker_is_there(where)) {
+        return disk_join(directory, size, "%s-report", where);
     }
-    return OK;
+    stem -= stem > 4 && strcmp(path + stem - 4, ".hdf") == 0 ? 4 : 0;
+    TRY(disk_join(directory, size, "%.*s-report", (int)stem, path));
+
+done:
+    return st;
 }
 
 static status show(command *cmd, const char *directory, const run_result *r)

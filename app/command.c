@@ -6,6 +6,7 @@
 
 #include <errno.h>
 #include <limits.h>
+#include <poll.h>
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
@@ -27,18 +28,19 @@ typedef enum option_id {
 typedef struct option {
     const char *name, *value; // value: what it is followed by, NULL for nothing
     const char *about;
+    const char *only; // the commands that know it, "run, report"; NULL: all
 } option;
 
 static const option options[OPTION_COUNT] = {
-    {"--json", NULL, "print exactly one JSON document on stdout (SI units)"},
-    {"--out", "DIR", "write the results to DIR, whole or not at all"},
-    {"--force", NULL, "replace an existing DIR that this program wrote"},
-    {"--set", "KEY=VALUE", "override a key of the case, e.g. --set section.model=classical"},
-    {"--quiet", NULL, "no progress and no hints on stderr"},
-    {"--lines", "N", "at most N lines of summary (run, report)"},
-    {"--markdown", NULL, "the key reference as Markdown (schema)"},
-    {"--help", NULL, "this help, or that of a command"},
-    {"--version", NULL, "the program's version"},
+    {"--json", NULL, "print exactly one JSON document on stdout (SI units)", NULL},
+    {"--out", "DIR", "write the results to DIR, whole or not at all", NULL},
+    {"--force", NULL, "replace an existing DIR that this program wrote", NULL},
+    {"--set", "KEY=VALUE", "override a key of the case, e.g. --set section.model=classical", NULL},
+    {"--quiet", NULL, "no progress and no hints on stderr", NULL},
+    {"--lines", "N", "at most N lines of summary (run, report)", "run, report"},
+    {"--markdown", NULL, "the key reference as Markdown (schema)", "schema"},
+    {"--help", NULL, "this help, or that of a command", NULL},
+    {"--version", NULL, "the program's version", NULL},
 };
 
 static status fail_unknown(const char *kind, const char *word, const nearest *near)
@@ -89,6 +91,10 @@ static status take_value(command *cmd, int id, const char *value)
     if (value[0] == '\0') {
         return status_fail(ERR_INPUT, "%s needs %s", options[id].name, options[id].value);
     }
+    if (id != OPTION_SET && (cmd->given & 1U << id)) {
+        return status_fail(ERR_INPUT, "%s is given twice", options[id].name);
+    }
+    cmd->given |= 1U << id;
     if (id == OPTION_OUT) {
         cmd->out = value;
     } else if (id == OPTION_SET) {
@@ -114,6 +120,7 @@ static status take_value(command *cmd, int id, const char *value)
 
 static void take_flag(command *cmd, int id)
 {
+    cmd->given |= 1U << id;
     cmd->json = cmd->json || id == OPTION_JSON;
     cmd->force = cmd->force || id == OPTION_FORCE;
     cmd->quiet = cmd->quiet || id == OPTION_QUIET;
@@ -163,6 +170,11 @@ static status take_word(command *cmd, const char *word)
     return OK;
 }
 
+static bool is_known_to(const option *o, const subcommand *sub)
+{
+    return !o->only || strstr(o->only, sub->name);
+}
+
 // contradictions between the subcommand and what came with it
 static status check_command(const command *cmd)
 {
@@ -176,6 +188,12 @@ static status check_command(const command *cmd)
     if (sub->argument && sub->argument[0] != '[' && !cmd->argument) {
         return status_fail(ERR_INPUT, "%s needs a %s, for example: %s", sub->name, sub->argument,
                            sub->example);
+    }
+    for (int i = 0; i < OPTION_COUNT; i++) {
+        if ((cmd->given & 1U << i) && !is_known_to(&options[i], sub)) {
+            return status_fail(ERR_INPUT, "unknown option '%s' of %s: it belongs to %s",
+                               options[i].name, sub->name, options[i].only);
+        }
     }
     if (cmd->noverride > 0 && !(sub->argument && strcmp(sub->argument, "CASE") == 0)) {
         return status_fail(ERR_INPUT, "%s reads no case, so --set has nothing to override",
@@ -207,11 +225,15 @@ done:
     return st;
 }
 
-static void help_options(FILE *stream)
+// sub: NULL for those of all commands
+static void help_options(const subcommand *sub, FILE *stream)
 {
     fprintf(stream, "\noptions\n");
     for (int i = 0; i < OPTION_COUNT; i++) {
         char left[32];
+        if (sub && !is_known_to(&options[i], sub)) {
+            continue;
+        }
         (void)snprintf(left, sizeof left, "%s%s%s", options[i].name, options[i].value ? " " : "",
                        options[i].value ? options[i].value : "");
         fprintf(stream, "  %-16s %s\n", left, options[i].about);
@@ -224,7 +246,7 @@ void command_help(const command *cmd, FILE *stream)
     if (sub) {
         fprintf(stream, "stiffaxis %s%s%s [options]\n\n%s\n%s", sub->name, sub->argument ? " " : "",
                 sub->argument ? sub->argument : "", sub->about, sub->details);
-        help_options(stream);
+        help_options(sub, stream);
         fprintf(stream, "\nexample\n  %s\n", sub->example);
         return;
     }
@@ -237,7 +259,7 @@ void command_help(const command *cmd, FILE *stream)
                        sub->argument ? sub->argument : "");
         fprintf(stream, "  %-16s %s\n", left, sub->about);
     }
-    help_options(stream);
+    help_options(NULL, stream);
     fprintf(stream,
             "\nexit codes\n"
             "  0 done   1 done, but a comparison is out of tolerance   2 usage or case file\n"
@@ -279,12 +301,29 @@ bool command_colour(void)
            !(no_colour && no_colour[0]);
 }
 
+bool command_reader_left(void)
+{
+    struct pollfd out = {.fd = STDOUT_FILENO, .events = POLLOUT};
+    return ferror(stdout) && poll(&out, 1, 0) == 1 && (out.revents & POLLERR) != 0;
+}
+
+// why an earlier write failed: stdio does not keep it, another try tells it again
+static const char *write_error(void)
+{
+    errno = 0;
+    return write(STDOUT_FILENO, "\n", 1) < 0 ? strerror(errno) : "an earlier write failed";
+}
+
 status command_flush(void)
 {
     errno = 0;
     if (fflush(stdout) != 0 || ferror(stdout)) {
+        const char *words = errno ? strerror(errno) : NULL;
+        if (command_reader_left()) {
+            return OK;
+        }
         return status_fail(ERR_RESOURCE, "cannot write to stdout: %s",
-                           errno ? strerror(errno) : "an earlier write failed");
+                           words ? words : write_error());
     }
     return OK;
 }

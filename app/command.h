@@ -31,6 +31,7 @@ struct command {
     int summary_lines;
     bool first_rank; // false on the other processes of an mpirun: they compute, and stay silent
     bool answered;   // the JSON document was printed
+    unsigned given;  // bit n: option n of the list in command.c was given
 };
 
 // The subcommands, ended by one without a name.
@@ -53,7 +54,10 @@ void command_hint(const command *cmd, const char *format, ...)
 // Whether stdout may be coloured.
 bool command_colour(void);
 
-// Flushes stdout; ERR_RESOURCE where it is full or closed.
+// Whether what reads stdout has gone (`| head`), which is no error.
+bool command_reader_left(void);
+
+// Flushes stdout; ERR_RESOURCE where it is full or closed. OK where its reader has gone.
 status command_flush(void);
 
 status cmd_run(command *cmd);

@@ -49,16 +49,46 @@ void compare_skip(compare_row *row, const char *format, ...)
     row->ok = true;
 }
 
+static double modulus_contrast(const case_data *c, const mesh *m)
+{
+    double least = INFINITY, most = 0;
+    for (int b = 0; b < m->nblock; b++) {
+        for (int e = 0; e < m->block[b].nelem; e++) {
+            const double E = c->materials[m->block[b].material[e]].E;
+            least = fmin(least, E);
+            most = fmax(most, E);
+        }
+    }
+    return most / least;
+}
+
+static bool one_poisson_ratio(const case_data *c, const mesh *m)
+{
+    double nu = NAN;
+    for (int b = 0; b < m->nblock; b++) {
+        for (int e = 0; e < m->block[b].nelem; e++) {
+            const double other = c->materials[m->block[b].material[e]].nu;
+            if (!isnan(nu) && nu != other) {
+                return false;
+            }
+            nu = other;
+        }
+    }
+    return true;
+}
+
 static status prepare_section(const case_data *c, const run_result *r, compare_section *out)
 {
     status st = OK;
     out->s = case_has_segment(c) ? c->file.fem.section_at : 0;
     out->error = r->section.station[0].law.relative_error;
-    TRY(section_mesh_at(&c->file.section, out->s, &out->mesh));
+    TRY(case_place(c, section_mesh_at(&c->file.section, out->s, &out->mesh), c->file.section.at));
     for (int i = 0; i < out->mesh.nnode; i++) {
         const double *x = out->mesh.xyz + 3 * (size_t)i;
         out->radius = fmax(out->radius, hypot(x[0], x[1]));
     }
+    out->one_poisson = one_poisson_ratio(c, &out->mesh);
+    out->contrast = modulus_contrast(c, &out->mesh);
     TRY(section_full_mesh(&out->mesh, c->materials, &out->full, NULL));
     TRY(beam_law_centres(&out->full, &out->centres));
 

@@ -11,13 +11,20 @@ enum { COMPARE_MAX_ROWS = 64 };
 // The section that is compared: prismatic, at one arclength, by the full model on the section's own
 // mesh.
 typedef struct compare_section {
-    double s;      // the segment's place where there is one, else 0 [m]
-    double radius; // about the origin, of everything [m]
-    double error;  // estimate of the case's own section there, relative
+    double s;         // the segment's place where there is one, else 0 [m]
+    double radius;    // about the origin, of everything [m]
+    double error;     // estimate of the case's own section there, relative
+    double contrast;  // largest modulus over the smallest
+    bool one_poisson; // one Poisson's ratio among the materials that the section uses
     mesh mesh;
     beam_law full;
     beam_centres centres;
 } compare_section;
+
+// Above this contrast of the moduli the layers at the ends of a 3D column reach several radii in:
+// what they do to a tip's sideways motion and twist, and to the 3D law, has no bound that holds for
+// every section.
+#define COMPARE_MOST_CONTRAST 50.0
 
 typedef struct tolerance {
     double value;       // relative

@@ -98,7 +98,7 @@ void print_rods(const run_result *r)
     const rod_result *rods = &r->rod;
     const double limit = linear_limit(r);
     bool beyond = false;
-    printf("rod: %.4g mm, tendons", 1e3 * r->rod_length);
+    printf("rod: %.4g mm, tendon%s", 1e3 * r->rod_length, rods->ntendon == 1 ? "" : "s");
     for (int k = 0; k < rods->ntendon; k++) {
         printf("%s %s", k ? "," : "", rods->tendon_name[k]);
     }

@@ -27,7 +27,8 @@ static const subcommand list[] = {
      "stiffaxis compare fig4.yaml"},
     {"report", "RESULT", cmd_report, "figures and the page from a stored result",
      "RESULT is a result.hdf or the directory that holds it. Nothing is recomputed. Without --out\n"
-     "the directory is named after RESULT: result.hdf gives result-report.\n",
+     "the directory stands beside RESULT: results/fig4 and results/fig4/result.hdf give\n"
+     "results/fig4-report, a copy mine.hdf gives mine-report.\n",
      "stiffaxis report results/fig4/result.hdf --out results/fig4-again"},
     {"check", "CASE", cmd_check, "reads and validates only",
      "Every mistake in a case is one line FILE:LINE:COL: error: ..., and exit code 2.\n",

@@ -171,19 +171,22 @@ void law_along_centre_frame(const law_along *along, double s, double phi_near, c
     const double p[2] = {-B.a[0][2] / EA, B.a[0][1] / EA};
     const double dp[2] = {(-dB.a[0][2] - p[0] * dEA) / EA, (dB.a[0][1] - p[1] * dEA) / EA};
 
+    // The product of inertia of a symmetric section is noise of its mesh: where the two moments
+    // cross it would turn the axes by pi/4 and back within a hair's breadth of s
     double axis = 0, rate = 0;
-    if (!local_axis(&B, &dB, p, dp, &axis, &rate)) {
+    if (along->symmetric || !local_axis(&B, &dB, p, dp, &axis, &rate)) {
         axis = 0;
         rate = 0;
     }
     const double c = cos(l.turn), z = sin(l.turn);
     const double phi = l.turn + axis;
+    // axes differ by pi/2: the branch next to the station before
+    const double branch = along->symmetric ? 0 : half_pi * round((phi_near - phi) / half_pi);
     *out = (centre_frame){
         .p = {c * p[0] - z * p[1], z * p[0] + c * p[1]},
         .dp = {c * (dp[0] - l.dturn * p[1]) - z * (dp[1] + l.dturn * p[0]),
                z * (dp[0] - l.dturn * p[1]) + c * (dp[1] + l.dturn * p[0])},
-        // axes differ by pi/2: the branch next to the station before
-        .phi = phi + half_pi * round((phi_near - phi) / half_pi),
+        .phi = phi + branch,
         .dphi = l.dturn + rate,
     };
 }

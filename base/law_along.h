@@ -13,6 +13,8 @@ typedef struct law_along {
     double *edge;          // [npanel + 1] [m], from 0 to length
     beam_law *law;         // [npanel][nnode], in the frame turned by `turn` at that node
     double *turn;          // [npanel][nnode] angle of the pattern [rad]; 0 where nothing turns
+    bool symmetric;        // at every s the pattern's turn is an axis of symmetry, as the shapes
+                           // declare it; false where nobody said so
     double relative_error; // of K between the nodes, from the decay of the coefficients; the laws'
                            // own error not included
 } law_along;
@@ -35,7 +37,7 @@ typedef struct centre_frame {
     double phi, dphi;   // [rad], [rad/m]
 } centre_frame;
 
-// phi_near chooses among the principal axes (differing by pi/2); pass the previous station's phi,
-// or turn(0) first. Where the two moments are equal to BEAM_LAW_ISOTROPIC the frame keeps the
-// pattern's turn.
+// symmetric: phi is the turn itself, dphi the turn's rate, whatever phi_near. Else phi_near chooses
+// among the principal axes (differing by pi/2); pass the previous station's phi, or turn(0) first.
+// Where the two moments are equal to BEAM_LAW_ISOTROPIC the frame keeps the pattern's turn.
 void law_along_centre_frame(const law_along *along, double s, double phi_near, centre_frame *out);

@@ -3,6 +3,8 @@
 // message.
 #pragma once
 
+#include <stdbool.h>
+
 typedef enum status {
     OK = 0,
     ERR_TOLERANCE = 1,     // done, but a comparison is out of tolerance
@@ -16,6 +18,14 @@ typedef enum status {
 
 // Keeps the message (the first one since status_clear stands) and returns `code`.
 status status_fail(status code, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+// The same with a place in the case file, from 1, where the failing function knows it better than
+// its caller.
+status status_fail_at(status code, int line, int column, const char *format, ...)
+    __attribute__((format(printf, 4, 5)));
+
+// Whether the kept message came with a place; *line and *column are filled then.
+bool status_place(int *line, int *column);
 
 // The kept message, "" when nothing failed; valid until status_clear.
 const char *status_message(void);

@@ -14,6 +14,7 @@ static const double pi = 3.14159265358979323846;
 static const double length = 0.12, outer = 4e-3, inner = 3.2e-3, soft = 0.66e6, stiff = 15.93e6;
 static const double shear = 1 / (2 * 1.45); // G / E
 static const double reference_tolerance = 1e-13;
+static const double target = 20; // [us] of one solve of helical_nc at 1e-6 m
 
 // classical K of the annulus with a stiff sector of this width about +x
 static mat6 stiffness(double width)
@@ -150,13 +151,18 @@ int main(void)
     TRY(table(&law, 2, two, &quickest_two));
     TRY(table(&law, 1, one, &quickest_one));
     printf("two tendons: %.2f us at <= 1e-6 m true tip error\n", quickest_two);
-    printf("helical_nc at 0.98 N: %.2f us at <= 1e-6 m true tip error, median of %d (target 20)\n",
-           quickest_one, REPEATS);
+    printf("helical_nc at 0.98 N: %.2f us at <= 1e-6 m true tip error, median of %d (target %g)\n",
+           quickest_one, REPEATS, target);
+    // not reached where no tolerance got below 1e-6 m either
+    if (!(quickest_one <= target)) {
+        TRY(status_fail(ERR_NUMERIC, "one solve took %.2f us, the target is %g us", quickest_one,
+                        target));
+    }
 
 done:
     if (st != OK) {
         fprintf(stderr, "bench_rod: %s\n", status_message());
     }
     law_along_free(&law);
-    return (int)st;
+    return st != OK;
 }

@@ -3,9 +3,14 @@
 
 #include "base/memory.h"
 
+#include <limits.h>
 #include <petscmat.h>
+#include <stdbool.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
 // what MPI keeps until the process ends is no leak of ours
 #ifdef __SANITIZE_ADDRESS__
@@ -17,8 +22,11 @@
 
 enum { BLOCK = 3 };
 
+// the matrix is held by PETSc, and as rows and columns by MUMPS
+enum { COPIES = 2 };
+
 // MUMPS' own numbering of its answers
-enum { INFOG_STATE = 1, INFOG_DETAIL = 2 };
+enum { INFOG_STATE = 1, INFOG_DETAIL = 2, INFOG_MEGABYTES = 17 };
 
 // Set before the library starts, since PETSc 3.18 forgets MUMPS controls that are set on the
 // factor. Ordering 2 (approximate minimum fill) was the fastest of Debian's on columns of 10 k to
@@ -38,12 +46,19 @@ struct petsc_matrix {
     int size;
 };
 
+// what a user can do about memory
+#define SMALLER "take fewer fem.layers, a lower fem.order or a larger fem.size_mm"
+
 static status petsc_fail(PetscErrorCode code, const char *call)
 {
     const char *words = NULL;
+    // an allocation that fails below some layers of PETSc comes up as one of these
+    if (code == PETSC_ERR_MEM) {
+        return status_fail(ERR_RESOURCE, "PETSc: out of memory in %s: " SMALLER, call);
+    }
     (void)PetscErrorMessage(code, &words, NULL);
-    return status_fail(code == PETSC_ERR_MEM ? ERR_RESOURCE : ERR_BUG, "PETSc: %s, in %s",
-                       words ? words : "no message", call);
+    return status_fail(ERR_BUG, "PETSc: %s (code %d), in %s", words ? words : "no message",
+                       (int)code, call);
 }
 
 #define PETSC_TRY(call)                                                                            \
@@ -130,12 +145,49 @@ done:
     return st;
 }
 
+// memory of the machine, or of what the process may have of it [byte]
+static double machine_memory(void)
+{
+    double limit = (double)sysconf(_SC_PHYS_PAGES) * (double)sysconf(_SC_PAGESIZE), group = 0;
+    struct rlimit room;
+    if (getrlimit(RLIMIT_AS, &room) == 0 && room.rlim_cur != RLIM_INFINITY) {
+        limit = (double)room.rlim_cur < limit ? (double)room.rlim_cur : limit;
+    }
+    FILE *file = fopen("/sys/fs/cgroup/memory.max", "r");
+    if (file) {
+        // "max" where there is no limit
+        limit = fscanf(file, "%lf", &group) == 1 && group < limit ? group : limit;
+        (void)fclose(file);
+    }
+    return limit;
+}
+
+// PETSc and MUMPS count a rank's entries with int, and a kernel that has no memory left kills
+// instead of refusing
+static status check_entries(const petsc_pattern *p)
+{
+    double blocks = 0;
+    for (int i = 0; i < p->last - p->first; i++) {
+        blocks += (double)p->diagonal[i] + p->beyond[i];
+    }
+    const double entries = BLOCK * BLOCK * blocks;
+    const double bytes = COPIES * entries * (sizeof(PetscScalar) + sizeof(PetscInt));
+    if (entries > INT_MAX || BLOCK * (double)p->nblock > INT_MAX || bytes > machine_memory()) {
+        return status_fail(ERR_RESOURCE,
+                           "segment: a matrix of %.3g million entries for %.3g million unknowns is "
+                           "too large: " SMALLER,
+                           entries * 1e-6, BLOCK * 1e-6 * p->nblock);
+    }
+    return OK;
+}
+
 static status matrix_make(const petsc_pattern *p, petsc_matrix **out)
 {
     status st = OK;
     petsc_matrix *m = NULL;
     const PetscInt n = BLOCK * (p->last - p->first);
 
+    TRY(check_entries(p));
     TRY(TAKE(m, 1));
     *m = (petsc_matrix){.nblock = p->nblock, .first = p->first, .last = p->last};
     TRY(share_rows(m));
@@ -168,6 +220,20 @@ done:
 
 // --- factor
 
+// MUMPS' codes for: work arrays too small (-8, -9, -11, -14, -15), no memory (-5, -7, -13, -19,
+// -22), buffers too small (-17, -18, -20), counts beyond int (-51, -52)
+static bool is_out_of_memory(PetscInt state)
+{
+    static const int codes[] = {-5,  -7,  -8,  -9,  -11, -13, -14, -15,
+                                -17, -18, -19, -20, -22, -51, -52};
+    for (size_t i = 0; i < sizeof codes / sizeof *codes; i++) {
+        if (state == codes[i]) {
+            return true;
+        }
+    }
+    return false;
+}
+
 static status factor_check(Mat factor)
 {
     status st = OK;
@@ -182,11 +248,29 @@ static status factor_check(Mat factor)
     if (state == -10 || error == MAT_FACTOR_NUMERIC_ZEROPIVOT) {
         return status_fail(ERR_NUMERIC, "MUMPS: the stiffness matrix is not positive definite");
     }
-    const int memory = state == -5 || state == -7 || state == -9 || state == -13 || state == -19 ||
-                       error == MAT_FACTOR_OUTMEMORY;
-    return status_fail(memory ? ERR_RESOURCE : ERR_NUMERIC, "MUMPS: %s, code %d, %d",
-                       memory ? "not enough memory for the factors" : "factorization failed",
-                       (int)state, (int)detail);
+    if (is_out_of_memory(state) || error == MAT_FACTOR_OUTMEMORY) {
+        return status_fail(ERR_RESOURCE,
+                           "MUMPS: not enough memory for the factors, code %d, %d: " SMALLER,
+                           (int)state, (int)detail);
+    }
+    return status_fail(ERR_NUMERIC, "MUMPS: factorization failed, code %d, %d", (int)state,
+                       (int)detail);
+
+done:
+    return st;
+}
+
+// what the analysis says that the factors will take, all ranks together
+static status check_memory(Mat factor)
+{
+    status st = OK;
+    PetscInt megabytes = 0;
+    PETSC_TRY(MatMumpsGetInfog(factor, INFOG_MEGABYTES, &megabytes));
+    if (1e6 * megabytes > machine_memory()) {
+        TRY(status_fail(ERR_RESOURCE,
+                        "MUMPS: the factors would take %.3g GB, more than there is: " SMALLER,
+                        1e-3 * megabytes));
+    }
 
 done:
     return st;
@@ -203,6 +287,7 @@ static status matrix_factor(petsc_matrix *m, double *norm)
     PETSC_TRY(MatFactorInfoInitialize(&info));
     PETSC_TRY(MatCholeskyFactorSymbolic(m->factor, m->A, NULL, &info));
     TRY(factor_check(m->factor));
+    TRY(check_memory(m->factor));
     PETSC_TRY(MatCholeskyFactorNumeric(m->factor, m->A, &info));
     TRY(factor_check(m->factor));
 

@@ -46,6 +46,10 @@ status segment_case_check(const segment_case *c, mark *where);
 // middle. Call before meshing.
 segment_case segment_choose(const segment_case *c, double radius);
 
+// ERR_RESOURCE where a plane mesh of nplane nodes gives more unknowns than one process can number
+// and hold; the case is as segment_choose left it. Call before extruding.
+status segment_check_size(const segment_case *c, int nplane);
+
 // The rank under mpirun, 0 without it, from the environment alone: MPI is not started. Only rank 0
 // should print or save.
 int segment_rank(void);

@@ -140,21 +140,29 @@ static void path_words(const config *cfg, char *words, size_t size)
     make_plain(words);
 }
 
+void config_place_text(const config *cfg, mark at, char text[CONFIG_PLACE_TEXT])
+{
+    char where[PATH_SHOWN];
+    const int i = at.line - OVERRIDE_LINE;
+    if (i >= 0 && i < cfg->noverride) {
+        (void)snprintf(where, OVERRIDE_SHOWN, "%s", cfg->overrides[i]);
+        make_plain(where);
+        (void)snprintf(text, CONFIG_PLACE_TEXT, "--set '%s': ", where);
+        return;
+    }
+    path_words(cfg, where, sizeof where);
+    (void)snprintf(text, CONFIG_PLACE_TEXT, "%s:%d:%d: ", where, at.line > 0 ? at.line : 1,
+                   at.column > 0 ? at.column : 1);
+}
+
 status config_fail(const config *cfg, mark at, const char *format, ...)
 {
-    char words[WORDS_SHOWN], where[PATH_SHOWN];
+    char words[WORDS_SHOWN], where[CONFIG_PLACE_TEXT];
     va_list args;
     va_start(args, format);
     (void)vsnprintf(words, sizeof words, format, args);
     va_end(args);
     make_plain(words);
-    const int i = at.line - OVERRIDE_LINE;
-    if (i >= 0 && i < cfg->noverride) {
-        (void)snprintf(where, OVERRIDE_SHOWN, "%s", cfg->overrides[i]);
-        make_plain(where);
-        return status_fail(ERR_INPUT, "--set '%s': error: %s", where, words);
-    }
-    path_words(cfg, where, sizeof where);
-    return status_fail(ERR_INPUT, "%s:%d:%d: error: %s", where, at.line > 0 ? at.line : 1,
-                       at.column > 0 ? at.column : 1, words);
+    config_place_text(cfg, at, where);
+    return status_fail(ERR_INPUT, "%serror: %s", where, words);
 }

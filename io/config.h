@@ -54,6 +54,11 @@ status config_read(config *cfg, const key_table *root, void *out);
 status config_fail(const config *cfg, mark at, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
+// "FILE:LINE:COL: " of a place, "--set 'TEXT': " for one of the overrides: what stands in front of
+// "error: " and "warning: ".
+enum { CONFIG_PLACE_TEXT = 800 };
+void config_place_text(const config *cfg, mark at, char text[CONFIG_PLACE_TEXT]);
+
 // The table as JSON Schema (draft 2020-12), and as Markdown for docs/ on a FILE.
 struct json;
 status schema_write(const key_table *root, struct json *out);

@@ -72,19 +72,19 @@ static status write_all(int fd, const char *path, const char *data, size_t size)
     return OK;
 }
 
-status disk_write(const char *path, const void *data, size_t size)
+status disk_write(const char *path, const char *told, const void *data, size_t size)
 {
     const int fd = open(path, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
     if (fd < 0) {
-        return disk_fail(path, "write");
+        return disk_fail(told, "write");
     }
-    status st = write_all(fd, path, data, size);
+    status st = write_all(fd, told, data, size);
     if (st == OK && fsync(fd) != 0 && errno != EINVAL && errno != ENOTSUP) {
-        st = disk_fail(path, "write");
+        st = disk_fail(told, "write");
     }
     // some file systems tell at the end only that there was no room
     if (close(fd) != 0 && st == OK) {
-        st = disk_fail(path, "write");
+        st = disk_fail(told, "write");
     }
     if (st != OK) {
         (void)unlink(path);

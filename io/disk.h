@@ -20,8 +20,9 @@ status disk_join(char *buffer, size_t size, const char *format, ...)
 // The directory that holds `path`, "." where it names none.
 status disk_parent(const char *path, char *buffer, size_t size);
 
-// A new file of these bytes, fsynced; nothing is left of it where that fails. ERR_RESOURCE
-status disk_write(const char *path, const void *data, size_t size);
+// A new file of these bytes, fsynced; nothing is left of it where that fails. ERR_RESOURCE, which
+// names the path `told`: what it is going to be renamed to.
+status disk_write(const char *path, const char *told, const void *data, size_t size);
 
 // fsync of a file or a directory. A file system that cannot sync a directory is no failure.
 status disk_sync(const char *path);

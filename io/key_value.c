@@ -3,6 +3,7 @@
 
 #include "base/nearest.h"
 
+#include <float.h>
 #include <limits.h>
 #include <math.h>
 #include <stdio.h>
@@ -14,8 +15,17 @@ enum {
         17, // places along the rod where the range of a varying number is checked, ends included
 };
 
-// what the conversion of units may add to a number that stands exactly at the end of its range
-static const double RANGE_ROUNDING = 1e-12;
+// What the conversion of units may add to a number that stands exactly at an end of its range, over
+// that end: two roundings. Nothing is added to 0, so that a range from 0 holds nothing below it.
+static const double RANGE_ROUNDING = 4 * DBL_EPSILON;
+
+static bool within(double value, double least, double most)
+{
+    // an infinite end is compared as it is: its room would be infinite too
+    const double below = isfinite(least) ? RANGE_ROUNDING * fabs(least) : 0;
+    const double above = isfinite(most) ? RANGE_ROUNDING * fabs(most) : 0;
+    return value >= least - below && value <= most + above;
+}
 
 status value_mismatch(const value_key *v, const node *n, const char *wanted)
 {
@@ -105,10 +115,11 @@ static status check_range(const value_key *v, const node *n, double *si, const c
     if (!isfinite(*si)) {
         return config_fail(v->cfg, n->at, "'%s': this is not a finite number%s", name.a, at_s);
     }
-    const double slack = RANGE_ROUNDING * fmax(fabs(least), fabs(most));
-    const double room = isfinite(slack) ? slack : 0;
-    if ((least == 0 && most == 0) || (*si >= least - room && *si <= most + room)) {
-        *si = least == 0 && most == 0 ? *si : fmin(fmax(*si, least), most);
+    if (least == 0 && most == 0) {
+        return OK;
+    }
+    if (within(*si, least, most)) {
+        *si = fmin(fmax(*si, least), most);
         return OK;
     }
     limit_text(v, *si, value, sizeof value);

@@ -3,17 +3,13 @@
 
 #include "base/memory.h"
 #include "io/disk.h"
+#include "io/marker.h"
 
-#include <dirent.h>
 #include <errno.h>
-#include <fcntl.h>
 #include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
-
-// a directory that holds this file was written by this program, and may be replaced by it
-static const char marker[] = ".stiffaxis";
 
 struct outdir {
     bool force;
@@ -21,35 +17,11 @@ struct outdir {
     char work[DISK_MAX_PATH];
 };
 
-static bool holds_marker(const char *path)
-{
-    char file[DISK_MAX_PATH + sizeof marker + 1];
-    struct stat info;
-    (void)snprintf(file, sizeof file, "%s/%s", path, marker);
-    return lstat(file, &info) == 0 && S_ISREG(info.st_mode);
-}
-
-static status is_empty(const char *path, bool *empty)
-{
-    DIR *directory = opendir(path);
-    if (!directory) {
-        return disk_fail(path, "list");
-    }
-    int count = 0;
-    while (count <= 2 && readdir(directory)) {
-        count++;
-    }
-    (void)closedir(directory);
-    *empty = count <= 2; // "." and ".."
-    return OK;
-}
-
 // whether something stands at the target; what must not be replaced is ERR_INPUT
 static status check_target(const char *path, bool force, bool *exists)
 {
     status st = OK;
     struct stat info;
-    bool empty = false;
     *exists = lstat(path, &info) == 0;
     if (!*exists) {
         return errno == ENOENT ? OK : disk_fail(path, "look at");
@@ -63,12 +35,7 @@ static status check_target(const char *path, bool force, bool *exists)
     if (!force) {
         return status_fail(ERR_INPUT, "%s: exists already: --force replaces it", path);
     }
-    TRY(is_empty(path, &empty));
-    if (!empty && !holds_marker(path)) {
-        return status_fail(ERR_INPUT,
-                           "%s: was not written by this program (no file %s in it): not replaced",
-                           path, marker);
-    }
+    TRY(marker_check(path));
 
 done:
     return st;
@@ -78,26 +45,13 @@ static status make_work_directory(const outdir *d)
 {
     // left behind by a killed run whose process number comes again
     struct stat info;
-    if (lstat(d->work, &info) == 0 && S_ISDIR(info.st_mode) && holds_marker(d->work)) {
+    if (lstat(d->work, &info) == 0 && S_ISDIR(info.st_mode) && marker_is_there(d->work)) {
         const status st = disk_remove_tree(d->work);
         if (st != OK) {
             return st;
         }
     }
     return mkdir(d->work, 0777) == 0 ? OK : disk_fail(d->work, "make the directory");
-}
-
-static status write_marker(const outdir *d)
-{
-    char path[DISK_MAX_PATH + sizeof marker + 1];
-    (void)snprintf(path, sizeof path, "%s/%s", d->work, marker);
-    FILE *file = fopen(path, "wx");
-    if (!file) {
-        return disk_fail(path, "write");
-    }
-    const bool written = fputs("written by stiffaxis " STIFFAXIS_VERSION "\n", file) >= 0;
-    const bool closed = fclose(file) == 0;
-    return written && closed ? OK : disk_fail(path, "write");
 }
 
 static status copy_target(const char *path, char *target, size_t size)
@@ -130,7 +84,7 @@ status outdir_open(const char *path, bool force, outdir **out)
     TRY(check_target(d->target, force, &exists));
     TRY(disk_make_parents(d->target));
     TRY(make_work_directory(d));
-    st = write_marker(d);
+    st = marker_write(d->work); // so that a killed run leaves what is known as ours
     if (st != OK) {
         (void)disk_remove_tree(d->work);
         goto done;
@@ -160,8 +114,12 @@ static status swap_in(const outdir *d)
     if (rename(d->target, old) != 0) {
         return disk_fail(d->target, "move aside");
     }
-    if (rename(d->work, d->target) != 0) {
+    // whatever came at the last moment: nothing comes to the name that it has now
+    st = marker_check(old);
+    if (st == OK && rename(d->work, d->target) != 0) {
         st = disk_fail(d->target, "rename the results to");
+    }
+    if (st != OK) {
         (void)rename(old, d->target);
         return st;
     }
@@ -177,6 +135,7 @@ status outdir_commit(outdir *d)
     bool exists = false;
     char parent[DISK_MAX_PATH];
     TRY(disk_parent(d->target, parent, sizeof parent));
+    TRY(marker_write(d->work));
     TRY(disk_sync_tree(d->work));
     // the target may have changed since outdir_open
     TRY(check_target(d->target, d->force, &exists));

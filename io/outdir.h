@@ -10,8 +10,8 @@
 
 typedef struct outdir outdir;
 
-// An existing DIR is ERR_INPUT unless force; force replaces only an empty directory or one that
-// this program wrote (it holds the marker file .stiffaxis). Parents are made.
+// An existing DIR is ERR_INPUT unless force; force replaces only an empty directory or one in which
+// this program wrote everything (its marker file .stiffaxis lists the names). Parents are made.
 status outdir_open(const char *path, bool force, outdir **out);
 // Path of a file inside the temporary directory; false in truncation (a name of ours is short).
 status outdir_path(const outdir *d, const char *name, char *buffer, size_t size);

@@ -45,11 +45,16 @@ static status put_root_text(const store *s, const char *name, const char *text)
 status store_create(const char *path, store **out)
 {
     status st = OK;
+    char parent[DISK_MAX_PATH];
     store *s = NULL;
     TRY(TAKE(s, 1));
     s->reader = (store_reader){.child = -1, .channel = -1};
     TRY(disk_join(s->path, sizeof s->path, "%s", path));
     TRY(disk_join(s->work, sizeof s->work, "%s.tmp-%ld", path, (long)getpid()));
+    TRY(disk_parent(path, parent, sizeof parent));
+    if (access(parent, W_OK) != 0) {
+        TRY(disk_fail(parent, "write into the directory"));
+    }
     TRY(open_door(&s->door));
     (void)unlink(s->work); // left behind by a killed run whose process number comes again
     TRY(s->door->create(s->work, &s->file));
@@ -70,7 +75,7 @@ status store_commit(store *s)
     size_t bytes = 0;
     char parent[DISK_MAX_PATH];
     TRY(s->door->image(s->file, &image, &bytes));
-    TRY(disk_write(s->work, image, bytes));
+    TRY(disk_write(s->work, s->path, image, bytes));
     if (rename(s->work, s->path) != 0) {
         TRY(disk_fail(s->path, "rename the result to"));
     }

@@ -126,7 +126,9 @@ static status open_checked(const char *path, const char *schema, const hdf5_door
         return status_fail(ERR_FILE, "not a stiffaxis result");
     }
     if (strcmp(text, schema) != 0) {
-        return status_fail(ERR_FILE, "not a result that this version reads: its schema is '%s', not '%s'", text, schema);
+        return status_fail(ERR_FILE,
+                           "not a result that this version reads: its schema is '%s', not '%s'",
+                           text, schema);
     }
 
 done:

@@ -171,6 +171,7 @@ status free_mesh_make(const section_outline *o, const mesh_options *options, mes
     status st = OK;
     attempt a = {.nbad = 1};
     plane_request request = {.check = plane_check,
+                             .drawn = o,
                              .parts = plane_parts,
                              .size_at = plane_size_at,
                              .length = sizing_length(options, o->size) / o->size,

@@ -60,6 +60,7 @@ void plane_pieces_free(plane_pieces *p)
 typedef struct head {
     status st;
     char message[512];
+    int line, column; // of the message; 0: it has no place
     int nnode, ntriangle, nface, nsegment, ncurve;
 } head;
 
@@ -116,6 +117,7 @@ static void child_run(gmsh_door_mesh_function mesh, plane_request *request, int 
     status_clear();
     head h = {.st = mesh(request, &pieces)};
     strncpy(h.message, status_message(), sizeof h.message - 1);
+    (void)status_place(&h.line, &h.column);
     h.nnode = pieces.nnode;
     h.ntriangle = pieces.ntriangle;
     h.nface = pieces.nface;
@@ -140,7 +142,7 @@ static status receive(int fd, plane_pieces *out, bool *complete)
     }
     if (h.st != OK) {
         *complete = true;
-        return status_fail(h.st, "%.500s", h.message);
+        return status_fail_at(h.st, h.line, h.column, "%.500s", h.message);
     }
     out->nnode = h.nnode;
     out->ntriangle = h.ntriangle;

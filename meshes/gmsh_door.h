@@ -52,6 +52,7 @@ struct plane_request {
     int nsource;
     double *
         source; // [nsource][3] x, y and the edge length wanted there; it may grow with the distance
+    const section_outline *drawn;           // for messages; NULL: they name no place
     const section_outline *towards_corners; // NULL: edges do not become shorter towards corners
     const plane_pieces *known;              // faces and curves, for the questions below
     // Asked once before meshing, with faces and curves known; it keeps them in `known`. May refuse.

@@ -11,12 +11,14 @@
 
 static status check_options(const mesh_options *options)
 {
+    const mark at = options->at;
     if (options->order < 1 || options->order > ELEMENT_MAX_ORDER) {
-        return status_fail(ERR_INPUT, "mesh: order %d is not 1 to %d", options->order,
-                           ELEMENT_MAX_ORDER);
+        return status_fail_at(ERR_INPUT, at.line, at.column, "mesh: order %d is not 1 to %d",
+                              options->order, ELEMENT_MAX_ORDER);
     }
     if (!(isfinite(options->size) && options->size >= 0)) {
-        return status_fail(ERR_INPUT, "mesh: a size of %g m is no length", options->size);
+        return status_fail_at(ERR_INPUT, at.line, at.column, "mesh: a size of %g m is no length",
+                              options->size);
     }
     return OK;
 }
@@ -34,10 +36,11 @@ status section_mesh_make(const section_outline *o, const mesh_options *options, 
         TRY(grid_make(o, &g, &found));
     }
     if (options->kind == MESH_MAPPED && !found) {
-        TRY(status_fail(ERR_INPUT,
-                        "mesh: the shapes do not lie on one polar or Cartesian grid (without its "
-                        "centre, and with no cell thinner than 1e-5 of the section): kind mapped "
-                        "is not possible here, choose auto or free"));
+        TRY(status_fail_at(
+            ERR_INPUT, options->at.line, options->at.column,
+            "mesh: the shapes do not lie on one polar or Cartesian grid (without its "
+            "centre, and with no cell thinner than 1e-5 of the section): kind mapped "
+            "is not possible here, choose auto or free"));
     }
     if (found) {
         TRY(mapped_mesh_make(o, &g, options, &m, &owner));

@@ -19,16 +19,13 @@ const char *shape_kind_name(shape_kind kind)
 
 status outline_fail(const outline *o, int index, const char *format, ...)
 {
-    char words[512], line[32] = "";
+    char words[512];
     va_list args;
     va_start(args, format);
     (void)vsnprintf(words, sizeof words, format, args);
     va_end(args);
-    if (mark_given(o->at)) {
-        (void)snprintf(line, sizeof line, ", line %d", o->at.line);
-    }
-    return status_fail(ERR_INPUT, "shape %d (%s%s): %s", index + 1, shape_kind_name(o->kind), line,
-                       words);
+    return status_fail_at(ERR_INPUT, o->at.line, o->at.column, "shape %d (%s): %s", index + 1,
+                          shape_kind_name(o->kind), words);
 }
 
 double angle_fold(double angle)
@@ -108,4 +105,35 @@ double outline_reach(const outline *o)
         return reach;
     }
     return hypot(o->centre[0], o->centre[1]) + o->outer;
+}
+
+static double thickness(const outline *o)
+{
+    const double wall = o->outer - o->inner, hole = o->inner > 0 ? o->inner : o->outer;
+    switch (o->kind) {
+    case KIND_ANNULUS:
+        return fmin(wall, hole);
+    case KIND_SECTOR:
+        return fmin(fmin(wall, hole), o->outer * fmin(o->width, 2 * PI - o->width));
+    case KIND_DISC:
+        return o->outer;
+    case KIND_RECTANGLE:
+        return fmin(o->size[0], o->size[1]);
+    default:
+        return INFINITY; // a polygon's edges were compared with one another
+    }
+}
+
+int section_thinnest_shape(const section_outline *o, double *part)
+{
+    int thinnest = -1;
+    *part = INFINITY;
+    for (int k = 0; k < o->count; k++) {
+        const double own = thickness(&o->items[k]) / o->size;
+        if (own < *part) {
+            *part = own;
+            thinnest = k;
+        }
+    }
+    return thinnest;
 }

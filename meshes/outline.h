@@ -15,7 +15,7 @@
 // "annulus", "sector", ...
 const char *shape_kind_name(shape_kind kind);
 
-// ERR_INPUT: "shape 2 (sector, line 12): " + words; index from 0
+// ERR_INPUT at the shape's place in the case: "shape 2 (sector): " + words; index from 0
 status outline_fail(const outline *o, int index, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 

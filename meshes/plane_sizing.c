@@ -13,44 +13,28 @@
 // lengths grow by this part of the distance from a place that asks for short ones
 static const double GROWTH = 0.5;
 
-static double thickness(const outline *o)
-{
-    const double wall = o->outer - o->inner, hole = o->inner > 0 ? o->inner : o->outer;
-    switch (o->kind) {
-    case KIND_ANNULUS:
-        return fmin(wall, hole);
-    case KIND_SECTOR:
-        return fmin(fmin(wall, hole), o->outer * fmin(o->width, 2 * PI - o->width));
-    case KIND_DISC:
-        return o->outer;
-    case KIND_RECTANGLE:
-        return fmin(o->size[0], o->size[1]);
-    default:
-        return INFINITY; // a polygon's edges were compared with one another
-    }
-}
-
 status section_check_thickness(const section_outline *o)
 {
-    for (int k = 0; k < o->count; k++) {
-        if (thickness(&o->items[k]) < OUTLINE_SLIVER * o->size) {
-            return outline_fail(&o->items[k], k, "it is thinner than %g of the section's size",
-                                OUTLINE_SLIVER);
-        }
+    double part = 0;
+    const int thinnest = section_thinnest_shape(o, &part);
+    if (thinnest >= 0 && part < OUTLINE_SLIVER) {
+        return outline_fail(&o->items[thinnest], thinnest,
+                            "it is thinner than %g of the section's size", OUTLINE_SLIVER);
     }
     return OK;
 }
 
 // the boundary of a long thin face is twice its area over its width
-static status check_slivers(const plane_pieces *p)
+static status check_slivers(const plane_request *r, const plane_pieces *p)
 {
     for (int f = 0; f < p->nface; f++) {
         if (!(2 * p->area[f] >= OUTLINE_SLIVER * p->around[f])) {
-            return status_fail(
-                ERR_INPUT,
-                "shape %d: the overlaps leave a sliver of it, thinner than %g of the "
-                "section's size",
-                p->owner[f] + 1, OUTLINE_SLIVER);
+            const int k = p->owner[f];
+            const mark at = r->drawn ? r->drawn->items[k].at : (mark){0};
+            return status_fail_at(ERR_INPUT, at.line, at.column,
+                                  "shape %d: the overlaps leave a sliver of it, thinner than %g of "
+                                  "the section's size",
+                                  k + 1, OUTLINE_SLIVER);
         }
     }
     return OK;
@@ -183,7 +167,7 @@ status plane_check(plane_request *r, const plane_pieces *p)
 {
     status st = OK;
     r->known = p;
-    TRY(check_slivers(p));
+    TRY(check_slivers(r, p));
     TRY(check_count(r, p));
     if (r->towards_corners) {
         TRY(add_corners(r));

@@ -91,13 +91,17 @@ typedef struct section_outline {
     double size;       // radius about the origin that holds everything [m]
 } section_outline;
 
-// The shapes at arclength s. ERR_INPUT with the shape's place in the case: radius inside out, width
-// outside (0, 2 pi), a polygon that crosses itself, a hole outside its polygon, a number that is
-// not finite, ...
+// The shapes at arclength s. ERR_INPUT with the shape's place in the case (status_place): radius
+// inside out, width outside (0, 2 pi), a polygon that crosses itself, a hole outside its polygon, a
+// number that is not finite, ...
 status shapes_at(shape_list shapes, double s, section_outline *out);
 void section_outline_free(section_outline *o);
 
 bool shapes_vary(shape_list shapes);
+
+// Which shape is thinnest, -1 where none has a thickness of its own (polygons), and how thick it is
+// over the section's size: walls, holes, arcs and edges.
+int section_thinnest_shape(const section_outline *o, double *part);
 
 // Whether b is a turned by *angle about the origin, to `tolerance` times the size. The candidate is
 // b.turn - a.turn.

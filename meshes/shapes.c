@@ -7,6 +7,7 @@
 #include "meshes/polygon.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -22,12 +23,26 @@ typedef struct freezer {
     double s;
 } freezer;
 
+typedef struct where_text {
+    char a[40];
+} where_text;
+
+// " at s = 12 mm" where a number varies along the rod, else nothing
+static where_text where(const freezer *f, const field *a, const field *b)
+{
+    where_text text = {""};
+    if (field_varies(a) || field_varies(b)) {
+        (void)snprintf(text.a, sizeof text.a, " at s = %.6g mm", 1e3 * f->s);
+    }
+    return text;
+}
+
 static status number(const freezer *f, const field *from, const char *name, double *out)
 {
     *out = field_at(from, f->s);
     if (!isfinite(*out)) {
-        return outline_fail(f->o, f->index, "its %s is not a finite number at s = %g m", name,
-                            f->s);
+        return outline_fail(f->o, f->index, "its %s is not a finite number%s", name,
+                            where(f, from, from).a);
     }
     return OK;
 }
@@ -36,8 +51,8 @@ static status length(const freezer *f, const field *from, const char *name, doub
 {
     status st = number(f, from, name, out);
     if (st == OK && !(*out > 0)) {
-        return outline_fail(f->o, f->index, "its %s is %g mm at s = %g m, it must be more than 0",
-                            name, *out * 1e3, f->s);
+        return outline_fail(f->o, f->index, "its %s is %g mm%s, it must be more than 0", name,
+                            *out * 1e3, where(f, from, from).a);
     }
     return st;
 }
@@ -61,17 +76,17 @@ static status freeze_ring(const freezer *f, const ring_spec *ring)
     TRY(number(f, &ring->inner_radius, "inner_radius", &o->inner));
     if (!(o->inner >= 0 && o->inner < o->outer)) {
         TRY(outline_fail(o, f->index,
-                         "its inner_radius of %g mm is not between 0 and its outer_radius of %g mm "
-                         "at s = %g m",
-                         o->inner * 1e3, o->outer * 1e3, f->s));
+                         "its inner_radius of %g mm is not between 0 and its outer_radius of %g mm"
+                         "%s",
+                         o->inner * 1e3, o->outer * 1e3,
+                         where(f, &ring->inner_radius, &ring->outer_radius).a));
     }
     if (o->kind == KIND_SECTOR) {
         TRY(number(f, &ring->mid_angle, "mid_angle", &o->mid_angle));
         TRY(number(f, &ring->width, "width", &o->width));
         if (!(o->width > 0 && o->width < 2 * PI)) {
-            TRY(outline_fail(o, f->index,
-                             "its width of %g rad is not between 0 and 2 pi at s = %g m", o->width,
-                             f->s));
+            TRY(outline_fail(o, f->index, "its width of %g rad is not between 0 and 2 pi%s",
+                             o->width, where(f, &ring->width, &ring->width).a));
         }
     }
 
@@ -197,10 +212,10 @@ static status freeze(const shape_spec *spec, int index, double s, outline *o)
         }
     }
     if (given != 1) {
-        return status_fail(ERR_INPUT,
-                           "shape %d: it must be exactly one of annulus, sector, disc, "
-                           "rectangle, polygon",
-                           index + 1);
+        return status_fail_at(ERR_INPUT, spec->at.line, spec->at.column,
+                              "shape %d: it must be exactly one of annulus, sector, disc, "
+                              "rectangle, polygon",
+                              index + 1);
     }
     o->material = spec->material_index;
     o->at = mark_given(spec->at) ? spec->at : marks[o->kind];
@@ -228,7 +243,7 @@ static status measure(section_outline *o)
     for (int k = 0; k < o->count; k++) {
         const double reach = outline_reach(&o->items[k]);
         if (!(reach <= LARGEST_SIZE)) {
-            return outline_fail(&o->items[k], k, "it reaches %g m from the origin", reach);
+            return outline_fail(&o->items[k], k, "it reaches %g mm from the origin", 1e3 * reach);
         }
         if (o->items[k].material >= 0) {
             o->size = fmax(o->size, reach);
@@ -238,7 +253,7 @@ static status measure(section_outline *o)
         return status_fail(ERR_INPUT, "the section is empty: no shape has a material");
     }
     if (o->size < SMALLEST_SIZE) {
-        return status_fail(ERR_INPUT, "the section is only %g m large", o->size);
+        return status_fail(ERR_INPUT, "the section is only %g mm large", 1e3 * o->size);
     }
     return OK;
 }

@@ -24,16 +24,25 @@ const char *__lsan_default_suppressions(void)
 }
 #endif
 
+static const double far_off = 1e5; // from any picture [points]
+
 static const double png_density = 2; // pixels per point: sharp on dense screens and in print
+
+// cairo's own numbers end at 8 million: what is not a number, or far off the sheet, goes to its far
+// side
+static double on_sheet(double x)
+{
+    return fmin(fmax(x, -far_off), far_off);
+}
 
 void canvas_move(canvas *c, double x, double y)
 {
-    cairo_move_to(c->cr, x, y);
+    cairo_move_to(c->cr, on_sheet(x), on_sheet(y));
 }
 
 void canvas_line(canvas *c, double x, double y)
 {
-    cairo_line_to(c->cr, x, y);
+    cairo_line_to(c->cr, on_sheet(x), on_sheet(y));
 }
 
 void canvas_close(canvas *c)
@@ -43,19 +52,19 @@ void canvas_close(canvas *c)
 
 void canvas_segment(canvas *c, double x0, double y0, double x1, double y1)
 {
-    cairo_move_to(c->cr, x0, y0);
-    cairo_line_to(c->cr, x1, y1);
+    canvas_move(c, x0, y0);
+    canvas_line(c, x1, y1);
 }
 
 void canvas_rectangle(canvas *c, double x, double y, double w, double h)
 {
-    cairo_rectangle(c->cr, x, y, w, h);
+    cairo_rectangle(c->cr, on_sheet(x), on_sheet(y), on_sheet(w), on_sheet(h));
 }
 
 void canvas_circle(canvas *c, double x, double y, double radius)
 {
     cairo_new_sub_path(c->cr);
-    cairo_arc(c->cr, x, y, radius, 0, 2 * acos(-1.0));
+    cairo_arc(c->cr, on_sheet(x), on_sheet(y), fmax(on_sheet(radius), 0), 0, 2 * acos(-1.0));
     cairo_close_path(c->cr);
 }
 
@@ -112,6 +121,9 @@ double canvas_text_width(canvas *c, const text_look *look, const char *text)
 void canvas_text(canvas *c, double x, double y, const text_look *look, const char *text)
 {
     char clean[512];
+    if (!(fabs(x) < far_off && fabs(y) < far_off && isfinite(look->turn))) {
+        return;
+    }
     utf8_clean(text, clean, sizeof clean);
     const double width = canvas_text_width(c, look, clean);
     const double start =

@@ -48,7 +48,10 @@ static ticks ticks_between(double low, double high, double points, double spacin
 {
     const double step = nice_step(high - low, (int)fmax(points / spacing, 1));
     const double first = ceil(low / step - 1e-9) * step;
-    return (ticks){first, step, (int)floor((high - first) / step + 1e-9) + 1, decimals_of(step)};
+    const double count = floor((high - first) / step + 1e-9) + 1;
+    // a range that is none, or not finite, has no ticks
+    const bool sound = count > 0 && count <= 2 + 4 * points / spacing;
+    return (ticks){first, step, sound ? (int)count : 0, decimals_of(step)};
 }
 
 static void x_ticks(canvas *c, const plot *p)

@@ -44,7 +44,7 @@ static void colour_bar(canvas *c, const segment_scene *s, box at)
 
     const double largest = s->largest * 1e3, step = nice_step(largest, 5);
     const int decimals = (int)fmax(0, ceil(-log10(step) - 1e-9));
-    for (int i = 0; largest > 0 && i * step <= largest * (1 + 1e-9); i++) {
+    for (int i = 0; largest > 0 && isfinite(largest) && i * step <= largest * (1 + 1e-9); i++) {
         const double y = at.y + at.h * (1 - i * step / largest);
         canvas_segment(c, at.x + at.w, y, at.x + at.w + 4, y);
         canvas_stroke(c, INK_SOFT, 0.8);

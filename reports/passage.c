@@ -75,6 +75,40 @@ done:
     return st;
 }
 
+// What a number in this unit cannot be larger than, in any structure that a run of ours describes.
+// Far beyond physics, and far from where a square or a product of a few leaves the doubles.
+static double largest_in(const char *unit)
+{
+    static const struct {
+        const char *unit;
+        double largest;
+    } limits[] = {{"m", 1e9}, {"1/m", 1e9}, {"m^2", 1e18}, {"rad", 1e9}, {"Pa", 1e20}};
+    for (size_t i = 0; i < sizeof limits / sizeof *limits; i++) {
+        if (strcmp(unit, limits[i].unit) == 0) {
+            return limits[i].largest;
+        }
+    }
+    return 1e60;
+}
+
+static status check_reals(const passage *p, const char *full, const column *c, const double *data,
+                          size_t n)
+{
+    const double largest = largest_in(c->unit);
+    for (size_t i = 0; c->kind != COLUMN_ANY && i < n; i++) {
+        if (!isfinite(data[i])) {
+            return passage_damaged(p, full, "holds what is not a number");
+        }
+        if (fabs(data[i]) > largest) {
+            return passage_damaged(p, full, "holds a number beyond all reason");
+        }
+        if (c->kind == COLUMN_POSITIVE && data[i] <= 0) {
+            return passage_damaged(p, full, "is not positive");
+        }
+    }
+    return OK;
+}
+
 static status read_reals(const passage *p, const char *full, const column *c,
                          const column_rows *rows)
 {
@@ -87,11 +121,7 @@ static status read_reals(const passage *p, const char *full, const column *c,
     if (!shape_is(rank, shape, found_rank, found)) {
         TRY(passage_damaged(p, full, "has another shape than the counts say"));
     }
-    for (size_t i = 0; c->kind == COLUMN_REAL && i < rows->n * width; i++) {
-        if (!isfinite(data[i])) {
-            TRY(passage_damaged(p, full, "holds what is not a number"));
-        }
-    }
+    TRY(check_reals(p, full, c, data, rows->n * width));
     for (size_t i = 0; i < rows->n; i++) {
         memcpy(member(c, rows, i), &data[i * width], width * sizeof *data);
     }
@@ -171,6 +201,7 @@ static status pass_column(const passage *p, const char *group, const column *c,
     const name full = join(group, c->name);
     switch (c->kind) {
     case COLUMN_REAL:
+    case COLUMN_POSITIVE:
     case COLUMN_ANY:
         return p->reading ? read_reals(p, full.text, c, rows) : write_reals(p, full.text, c, rows);
     case COLUMN_TEXT:
@@ -245,6 +276,9 @@ typedef struct mesh_counts {
     int order, nnode, nblock, shape[MESH_MAX_BLOCKS], nelem[MESH_MAX_BLOCKS];
 } mesh_counts;
 
+// far below an atom
+static const double least_extent = 1e-15; // [m]
+
 enum { MESH_MAX_NODES = 10000000, MESH_MAX_ELEMENTS = 2000000 };
 
 static status pass_mesh_counts(const passage *p, const char *group, int dim, mesh_counts *n)
@@ -288,6 +322,22 @@ static mesh_counts count_mesh(const mesh *m)
     return n;
 }
 
+// pictures are scaled by a mesh's extent
+static status check_extent(const passage *p, const char *full, int dim, const mesh *m)
+{
+    for (int k = 0; k < dim; k++) {
+        double low = m->xyz[k], high = m->xyz[k];
+        for (int i = 1; i < m->nnode; i++) {
+            low = fmin(low, m->xyz[3 * i + k]);
+            high = fmax(high, m->xyz[3 * i + k]);
+        }
+        if (!(high - low >= least_extent)) {
+            return passage_damaged(p, full, "is of no size");
+        }
+    }
+    return OK;
+}
+
 status passage_mesh(const passage *p, const char *group, int dim, int nmaterial, mesh *m)
 {
     static const column node = {"node_m", COLUMN_REAL, "m", 0, 1, {3}, 0};
@@ -302,6 +352,7 @@ status passage_mesh(const passage *p, const char *group, int dim, int nmaterial,
     }
     TRY(passage_columns(p, group, 1, &node,
                         (column_rows){m->xyz, (size_t)n.nnode, 3 * sizeof(double), false}));
+    TRY(p->reading ? check_extent(p, join(group, "node_m").text, dim, m) : OK);
     for (int b = 0; b < n.nblock; b++) {
         const mesh_block *block = &m->block[b];
         const size_t width = (size_t)block->per_elem, nelem = (size_t)block->nelem;

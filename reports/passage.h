@@ -17,9 +17,10 @@ typedef struct passage {
 } passage;
 
 typedef enum column_kind {
-    COLUMN_REAL, // finite
-    COLUMN_ANY,  // a number that may also be NaN or infinite: an estimate, the other side of a
-                 // comparison
+    COLUMN_REAL,     // finite, and within what its unit allows (passage.c)
+    COLUMN_POSITIVE, // a COLUMN_REAL above 0
+    COLUMN_ANY,      // a number that may also be NaN or infinite: an estimate, the other side of a
+                     // comparison
     COLUMN_INT,
     COLUMN_FLAG, // bool
     COLUMN_TEXT, // char[shape[0]]; every item its own dataset
@@ -61,8 +62,8 @@ status passage_text(const passage *p, const char *name, char **text, size_t *len
 // A text in a buffer of `size` bytes.
 status passage_words(const passage *p, const char *name, char *text, size_t size);
 
-// A mesh of dimension `dim`; nodes within the mesh, materials within nmaterial. nnode 0:
-// there is none.
+// A mesh of dimension `dim`, of some size in each direction; nodes within the mesh, materials
+// within nmaterial. nnode 0: there is none.
 status passage_mesh(const passage *p, const char *group, int dim, int nmaterial, mesh *m);
 
 // ERR_FILE: "PATH: damaged: NAME WORDS"

@@ -10,7 +10,7 @@
 static status pass_materials(const passage *p, run_result *r)
 {
     static const column columns[] = {
-        {"E_Pa", COLUMN_REAL, "Pa", offsetof(material, E), 0, {0}, 0},
+        {"E_Pa", COLUMN_POSITIVE, "Pa", offsetof(material, E), 0, {0}, 0},
         {"nu", COLUMN_REAL, "-", offsetof(material, nu), 0, {0}, 0},
         {"linear_strain", COLUMN_REAL, "-", offsetof(material, linear_strain), 0, {0}, 0},
     };
@@ -60,7 +60,7 @@ static status pass_compare(const passage *p, run_result *r)
     static const column columns[] = {
         {"what", COLUMN_TEXT, "-", ROW(what), 0, {sizeof r->compare->what}, 0},
         {"unit", COLUMN_TEXT, "-", ROW(unit), 0, {sizeof r->compare->unit}, 0},
-        {"ours", COLUMN_ANY, "see unit", ROW(ours), 0, {0}, 0},
+        {"ours", COLUMN_REAL, "see unit", ROW(ours), 0, {0}, 0},
         {"other", COLUMN_ANY, "see unit", ROW(other), 0, {0}, 0},
         {"difference_relative", COLUMN_ANY, "-", ROW(difference), 0, {0}, 0},
         {"tolerance_relative", COLUMN_ANY, "-", ROW(tolerance), 0, {0}, 0},

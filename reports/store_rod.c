@@ -52,8 +52,8 @@ done:
 
 status store_pass_rod(const passage *p, run_result *r)
 {
-    static const column length = {"length_m", COLUMN_REAL, "m", offsetof(run_result, rod_length),
-                                  0,          {0},         0};
+    static const column length = {
+        "length_m", COLUMN_POSITIVE, "m", offsetof(run_result, rod_length), 0, {0}, 0};
     static const column name = {"name", COLUMN_TEXT, "-", 0, 0, {sizeof r->rod.tendon_name[0]}, 0};
     static const column base = {"base_m", COLUMN_REAL, "m", 0, 1, {2}, 0};
     status st = OK;

@@ -8,16 +8,16 @@ static status pass_stations(const passage *p, run_result *r)
 #define STATION(member) offsetof(section_station, member)
     static const column columns[] = {
         {"s_m", COLUMN_REAL, "m", STATION(s), 0, {0}, 0},
-        {"area_m2", COLUMN_REAL, "m^2", STATION(law.area), 0, {0}, 0},
+        {"area_m2", COLUMN_POSITIVE, "m^2", STATION(law.area), 0, {0}, 0},
         {"K", COLUMN_REAL, STIFFNESS_UNIT, STATION(law.K), 2, {6, 6}, 0},
         {"relative_error", COLUMN_ANY, "-", STATION(law.relative_error), 0, {0}, 0},
-        {"EA_N", COLUMN_REAL, "N", STATION(centres.EA), 0, {0}, 0},
+        {"EA_N", COLUMN_POSITIVE, "N", STATION(centres.EA), 0, {0}, 0},
         {"stiffness_centre_m", COLUMN_REAL, "m", STATION(centres.stiffness_centre), 1, {2}, 0},
         {"EI_centre_Nm2", COLUMN_REAL, "N m^2", STATION(centres.EI_centre), 1, {3}, 0},
-        {"EI_Nm2", COLUMN_REAL, "N m^2", STATION(centres.EI), 1, {2}, 0},
+        {"EI_Nm2", COLUMN_POSITIVE, "N m^2", STATION(centres.EI), 1, {2}, 0},
         {"principal_angle_rad", COLUMN_REAL, "rad", STATION(centres.principal_angle), 0, {0}, 0},
         {"isotropic", COLUMN_FLAG, "-", STATION(centres.isotropic), 0, {0}, 0},
-        {"GJ_Nm2", COLUMN_REAL, "N m^2", STATION(centres.GJ), 0, {0}, 0},
+        {"GJ_Nm2", COLUMN_POSITIVE, "N m^2", STATION(centres.GJ), 0, {0}, 0},
         {"shear_centre_m", COLUMN_REAL, "m", STATION(centres.shear_centre), 1, {2}, 0},
     };
 #undef STATION
@@ -59,10 +59,10 @@ static status pass_along(const passage *p, law_along *a)
     };
     static const column laws[] = {
         {"K", COLUMN_REAL, STIFFNESS_UNIT, offsetof(beam_law, K), 2, {6, 6}, 0},
-        {"area_m2", COLUMN_REAL, "m^2", offsetof(beam_law, area), 0, {0}, 0},
+        {"area_m2", COLUMN_POSITIVE, "m^2", offsetof(beam_law, area), 0, {0}, 0},
         {"law_relative_error", COLUMN_ANY, "-", offsetof(beam_law, relative_error), 0, {0}, 0},
     };
-    static const column length = {"length_m", COLUMN_REAL, "m", 0, 0, {0}, 0};
+    static const column length = {"length_m", COLUMN_POSITIVE, "m", 0, 0, {0}, 0};
     static const column edge = {"edge_m", COLUMN_REAL, "m", 0, 0, {0}, 0};
     static const column turn = {"turn_rad", COLUMN_REAL, "rad", 0, 0, {0}, 0};
     static const char group[] = "section/along";
@@ -75,9 +75,6 @@ static status pass_along(const passage *p, law_along *a)
     }
     TRY(passage_count(p, "section/along/node_count", 1, LAW_ALONG_MAX_NODES, &nnode));
     TRY(passage_columns(p, group, 1, &length, single(&L)));
-    if (p->reading && !(L > 0)) {
-        TRY(passage_damaged(p, "section/along/length_m", "is not positive"));
-    }
     if (p->reading) {
         TRY(law_along_make(L, npanel, nnode, a));
     }

@@ -96,13 +96,13 @@ status store_pass_segment(const passage *p, run_result *r)
 {
 #define SEGMENT(member) offsetof(run_result, member)
     static const column columns[] = {
-        {"length_m", COLUMN_REAL, "m", SEGMENT(segment_length), 0, {0}, 0},
+        {"length_m", COLUMN_POSITIVE, "m", SEGMENT(segment_length), 0, {0}, 0},
         {"section_at_m", COLUMN_REAL, "m", SEGMENT(segment_section_at), 0, {0}, 0},
         {"base", COLUMN_INT, "-", SEGMENT(segment_base), 0, {0}, BASE_FREE_TO_CONTRACT},
         {"tip", COLUMN_INT, "-", SEGMENT(segment_tip), 0, {0}, TIP_UNIFORM},
         {"dofs", COLUMN_INT, "-", SEGMENT(segment.dofs), 0, {0}, INT_MAX},
         {"K", COLUMN_REAL, STIFFNESS_UNIT, SEGMENT(segment.middle.K), 2, {6, 6}, 0},
-        {"area_m2", COLUMN_REAL, "m^2", SEGMENT(segment.middle.area), 0, {0}, 0},
+        {"area_m2", COLUMN_POSITIVE, "m^2", SEGMENT(segment.middle.area), 0, {0}, 0},
         {"K_relative_error", COLUMN_ANY, "-", SEGMENT(segment.middle.relative_error), 0, {0}, 0},
         {"stiffness_centre_m", COLUMN_REAL, "m", SEGMENT(segment.stiffness_centre), 1, {2}, 0},
         {"tip_centre_m", COLUMN_ANY, "m", SEGMENT(segment.tip_centre), 1, {2}, 0},

@@ -34,16 +34,18 @@ static int compare_reals(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-// edges of the law's panels and ends of tendons, sorted, each once
+// edges of the law's panels, ends of tendons and kinks of their paths, sorted, each once
 static status find_breaks(rod *r)
 {
     status st = OK;
     const int nedge = r->law->npanel + 1;
-    const size_t n = (size_t)nedge + (size_t)r->ntendon;
-    TRY(TAKE(r->breaks, n));
+    const size_t most = (size_t)nedge + (size_t)r->ntendon * (1 + ROUTING_MAX_KINKS);
+    TRY(TAKE(r->breaks, most));
     memcpy(r->breaks, r->law->edge, (size_t)nedge * sizeof *r->breaks);
+    size_t n = (size_t)nedge;
     for (int i = 0; i < r->ntendon; i++) {
-        r->breaks[nedge + i] = r->spec[i].end;
+        r->breaks[n++] = r->spec[i].end;
+        n += (size_t)routing_kinks(&r->spec[i], r->breaks + n);
     }
     qsort(r->breaks, n, sizeof *r->breaks, compare_reals);
     for (size_t i = 0; i < n; i++) {

@@ -2,6 +2,8 @@
 // Which plans a rod needs for its tolerance: tried on probing loads when it is made.
 #include "rodsolver/rod_plan.h"
 
+#include <math.h>
+
 // two panels, then steps of 3/2 and 4/3
 static const int panel_count[ROD_MAX_PLANS] = {2,  4,   6,   8,   12,  16,  24,  32,   48,   64,
                                                96, 128, 192, 256, 384, 512, 768, 1024, 1536, 2048};
@@ -33,6 +35,10 @@ static status plan_at(rod *r, int level)
     return level < r->nplan ? OK : plan_add(r, panel_count[level]);
 }
 
+// A step of order 6 makes the estimate of what two plans differ by 63 times smaller; without that
+// order the difference itself tells, and no doubt need be greater
+static const double most_doubt = 63;
+
 // The estimate trusts the order of the method. Where a path or a law has a kink inside a panel it
 // would be too small: then the next plan's tip tells, and all estimates of this rod are raised
 static bool confirmed(rod *r, const rod_solution *coarse, const rod_solution *fine)
@@ -41,7 +47,7 @@ static bool confirmed(rod *r, const rod_solution *coarse, const rod_solution *fi
     if (moved <= coarse->relative_error + rounding) {
         return true;
     }
-    r->doubt *= 2 * moved / coarse->relative_error;
+    r->doubt = fmin(r->doubt * 2 * moved / coarse->relative_error, most_doubt);
     return false;
 }
 

@@ -21,3 +21,10 @@ typedef struct routing {
 
 void routing_make(const tendon_spec *tendon, double a, double b, routing *out);
 tendon_place routing_at(const routing *r, double s);
+
+enum { ROUTING_MAX_KINKS = 16 };
+
+// Arclengths, ascending, where the tendon's direction or its curvature jumps between the base and
+// spec->end (> 0), at most ROUTING_MAX_KINKS: [ROUTING_MAX_KINKS] -> how many. Kinks nearer to each
+// other than 1/64 of the end, or weaker than the path's own bending over that, may be missed.
+int routing_kinks(const tendon_spec *spec, double *s);

@@ -26,14 +26,17 @@ static const double probe_slack = 10;
 static status fill(section_store *store, law_along *along)
 {
     status st = OK;
+    bool all = true;
     for (int k = 0; k < along->npanel; k++) {
         for (int i = 0; i < along->nnode; i++) {
             const int node = k * along->nnode + i;
             bool symmetric = false;
             TRY(section_store_law(store, law_along_node(along, k, i), &along->law[node],
                                   &along->turn[node], &symmetric));
+            all = all && symmetric;
         }
     }
+    along->symmetric = all;
 
 done:
     return st;
@@ -168,9 +171,9 @@ static status interpolate(section_store *store, double length, double tolerance,
     TRY(status_fail(
         ERR_NUMERIC,
         "section: its stiffness along the rod is not resolved to %.1e by %d panels of %d "
-        "stations (still %.1e off between s = %.4g m and %.4g m): is there a jump?",
-        tolerance, along.npanel, along.nnode, j.error, along.edge[j.panel],
-        along.edge[j.panel + 1]));
+        "stations (still %.1e off between s = %.4g mm and %.4g mm): is there a jump?",
+        tolerance, along.npanel, along.nnode, j.error, 1e3 * along.edge[j.panel],
+        1e3 * along.edge[j.panel + 1]));
 
 done:
     law_along_free(&along);
@@ -223,9 +226,9 @@ static status asked_stations(section_store *store, const key_rows *rows, double 
     for (int i = 0; i < count; i++) {
         const double s = rows->a[i];
         if (!(s >= 0 && s <= length * (1 + 1e-12))) {
-            TRY(status_fail(ERR_INPUT,
-                            "section: the station at s = %g m lies outside the rod, 0 to %g m", s,
-                            length));
+            TRY(status_fail_at(ERR_INPUT, rows->at.line, rows->at.column,
+                               "section: the station at s = %g mm lies outside the rod, 0 to %g mm",
+                               1e3 * s, 1e3 * length));
         }
         TRY(add_station(store, s, &axis, r));
     }

@@ -47,7 +47,8 @@ typedef struct section_warping {
     mat6 psi, dpsi; // generalized strains: column j for unit wrench j
 } section_warping;
 
-// warping may be NULL. relative_error is not filled here: section_solve does it.
+// warping may be NULL. relative_error holds the rounding only, by how far the stresses miss the
+// end wrenches, and what that does to K: section_solve adds the mesh's.
 status section_full_mesh(const mesh *m, const material *materials, beam_law *out,
                          section_warping *warping);
 void section_warping_free(section_warping *w);
@@ -92,6 +93,10 @@ typedef struct section_result {
 status section_along(const section_case *c, const material *materials, double length,
                      section_result *out);
 void section_result_free(section_result *r);
+
+// What section_solve refuses at arclength s as the case's mistake, without solving: the outlines,
+// and the mesh where one is needed. libraries false: not where the mesh would start one.
+status section_check(const section_case *c, const material *materials, double s, bool libraries);
 
 // The mesh at arclength s, for pictures and the segment.
 status section_mesh_at(const section_case *c, double s, mesh *out);

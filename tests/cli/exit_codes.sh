@@ -51,6 +51,53 @@ err "did you mean 'model'?"
 expect 2 "$program" section "$cases/helical_nc.yaml" --set section.stations_mm=130
 expect 2 "$program" fem "$cases/constant_nc.yaml" --set fem.section_at_mm=130
 
+# 2: what the ranges exclude is refused, however near it lies
+tube=$cases/homogeneous_tube.yaml
+for change in materials.soft.E_MPa=0 materials.soft.E_MPa=-1e-6 'rod.tensions_N=[[-1e-6]]' \
+    section.tolerance=0 rod.tendons.0.end_mm=0 section.shapes.0.annulus.inner_radius_mm=-1e-7; do
+    expect 2 "$program" check "$tube" --set "$change"
+    err 'out of range'
+    one_line
+done
+
+# 2: a section that cannot be meshed, at the shape's own place, by check too
+cat >"$work/apart.yaml" <<END
+format: 1
+materials: {soft: {E_MPa: 1, nu: 0.3}}
+section:
+  shapes:
+    - {rectangle: {width_mm: 1, height_mm: 1}, material: soft}
+    - {rectangle: {width_mm: 1, height_mm: 1, centre_x_mm: 3}, material: soft}
+END
+expect 2 "$program" check "$work/apart.yaml"
+err "$work/apart.yaml:6:7: error: shape 2 (rectangle): a part of it does not touch"
+sed '6s/.*/    - {rectangle: {width_mm: 2, height_mm: 2}, material: none}/' "$work/apart.yaml" >"$work/cut.yaml"
+expect 2 "$program" check "$work/cut.yaml"
+err 'the section is empty'
+sed '5s/.*/    - {annulus: {outer_radius_mm: 4, inner_radius_mm: 4}, material: soft}/;6d' "$work/apart.yaml" \
+    >"$work/wall.yaml"
+expect 2 "$program" section "$work/wall.yaml"
+err "$work/wall.yaml:5:7: error: shape 1 (annulus): its inner_radius of 4 mm"
+sed '5s/.*/    - {annulus: {outer_radius_mm: 4, inner_radius_mm: 3.999}, material: soft}/;6d' "$work/apart.yaml" \
+    >"$work/thin.yaml"
+expect 4 "$program" section "$work/thin.yaml"
+err "$work/thin.yaml:5:7: error: shape 1: at 0.001 mm it is too thin"
+expect 2 "$program" section "$cases/helical_nc.yaml" --set 'section.stations_mm=[300]'
+err 'station 300 mm lies outside 0 to 120 mm'
+
+# what hardly was meant is computed, with a warning
+expect 0 "$program" rod "$tube" --set rod.tendons.0.radius_mm=4.2 --set 'rod.tensions_N=[[0.01]]'
+err "warning: tendon 't1' runs at 4.2 mm, outside the section (4 mm)"
+one_line
+expect 0 "$program" check "$tube" --set fem.length_mm=2
+err 'warning: the segment is 0.5 radii long'
+out '1 material, 1 shape, rod of 120 mm with 1 tendon and 3 rows'
+
+# 5: more than memory holds
+expect 5 "$program" fem "$cases/fig4.yaml" --set fem.layers=10000
+err 'fewer fem.layers'
+one_line
+
 # 3: a damaged or foreign input file
 echo 'no HDF5 file' >"$work/result.hdf"
 expect 3 "$program" report "$work/result.hdf" --out "$work/report"
@@ -69,13 +116,29 @@ err 'out of tolerance'
 if [ -e /dev/full ]; then
     "$program" check "$cases/fig4.yaml" >/dev/full 2>"$work/err"
     [ $? = 5 ] || fail 'a full stdout is not exit code 5'
-    err 'cannot write to stdout'
+    err 'cannot write to stdout: No space left on device'
+    "$program" schema >/dev/full 2>"$work/err"
+    [ $? = 5 ] || fail 'a full stdout is not exit code 5 of a long document'
+    err 'cannot write to stdout: No space left on device'
 fi
+
+# 0: a reader that has seen enough is no error
+mkfifo "$work/pipe"
+sleep 1 <"$work/pipe" &
+(
+    exec 3>"$work/pipe"
+    wait_for_reader=$!
+    while kill -0 "$wait_for_reader" 2>/dev/null; do sleep 0.1; done
+    "$program" schema >&3 2>"$work/err"
+    echo $? >"$work/code"
+)
+[ "$(cat "$work/code")" = 0 ] || fail 'a closed pipe is an error'
+[ ! -s "$work/err" ] || fail 'a closed pipe is told'
 
 # 130: interrupted
 if command -v timeout >/dev/null; then
     expect 130 timeout --preserve-status -s INT 1 "$program" fem "$cases/fig4.yaml" \
-        --set fem.order=4 --set fem.layers=150 --set fem.size_mm=0.3
+        --set fem.order=4 --set fem.layers=60 --set fem.size_mm=0.5
     err 'interrupted'
 fi
 finish

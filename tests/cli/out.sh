@@ -16,9 +16,12 @@ cmp -s "$case" "$dir/case.yaml" || fail 'case.yaml is not the case'
 expect 2 "$program" run "$case" --out "$dir"
 err '--force'
 one_line
-echo stale >"$dir/stale"
-expect 0 "$program" run "$case" --out "$dir" --force
-[ ! -e "$dir/stale" ] || fail '--force left an old file behind'
+echo mine >"$dir/notes"
+expect 2 "$program" run "$case" --out "$dir" --force
+err "'notes' in it was not written by this program"
+one_line
+[ "$(cat "$dir/notes")" = mine ] || fail "--force touched the user's file"
+rm "$dir/notes"
 mkdir "$work/mine"
 echo keep >"$work/mine/file"
 expect 2 "$program" run "$case" --out "$work/mine" --force
@@ -29,7 +32,7 @@ expect 4 "$program" run "$source/cases/homogeneous_tube.yaml" --set 'rod.tension
 [ ! -e "$work/failed" ] || fail 'a failed run left a directory'
 if command -v timeout >/dev/null; then
     expect 130 timeout --preserve-status -s INT 1 "$program" run "$source/cases/fig4.yaml" --set fem.order=4 \
-        --set fem.layers=150 --set fem.size_mm=0.3 --out "$work/interrupted"
+        --set fem.layers=60 --set fem.size_mm=0.5 --out "$work/interrupted"
 fi
 [ -z "$(find "$work" -name '*.tmp-*' -o -name interrupted)" ] || fail 'something half-written was left behind'
 
@@ -40,7 +43,19 @@ for figure in section rods curvature; do
     cmp -s "$dir/$figure.svg" "$work/again/$figure.svg" || fail "$figure.svg differs when drawn again"
 done
 expect 0 "$program" report "$dir"
-[ -s "$dir/result-report/report.html" ] || fail 'report without --out wrote nothing'
+[ -s "$dir-report/report.html" ] || fail 'report without --out wrote nothing'
+(cd "$dir" && expect 0 "$program" report result.hdf --force && [ "$failures" -eq 0 ]) || fail 'report from inside'
+[ ! -e "$dir/result-report" ] || fail 'report wrote into the directory of the results'
+expect 0 "$program" report "$work/alone.hdf"
+[ -s "$work/alone-report/report.html" ] || fail 'report of a copied result wrote nothing'
+expect 0 "$program" run "$case" --out "$dir" --force
+
+# a disk that is full at any point (here: a limit on the size of files): one line, exit code 5, nothing left
+for blocks in 0 1 8 40 100 400; do
+    expect 5 sh -c 'ulimit -f "$1"; shift; exec "$@"' sh "$blocks" "$program" section "$case" --out "$work/full"
+    [ "$blocks" -eq 0 ] || one_line
+    [ -z "$(find "$work" -name 'full*')" ] || fail "something was left on a disk of $blocks blocks"
+done
 
 # other commands keep their results too
 expect 0 "$program" section "$case" --out "$work/section"

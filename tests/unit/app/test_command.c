@@ -81,6 +81,9 @@ static void slips_are_usage_errors_with_the_nearest_name(void)
         {{"run", "x.yaml", "--lines", "0"}, "a number from 1"},
         {{"run", "x.yaml", "--force"}, "--out"},
         {{"doctor", "--set", "a=b"}, "nothing to override"},
+        {{"check", "x.yaml", "--markdown"}, "unknown option '--markdown' of check"},
+        {{"--lines", "3", "section", "x.yaml"}, "unknown option '--lines' of section"},
+        {{"run", "x.yaml", "--out", "a", "--out", "b"}, "--out is given twice"},
     };
     for (size_t i = 0; i < sizeof slips / sizeof *slips; i++) {
         command cmd;

@@ -2,6 +2,8 @@
 #include "base/mesh.h"
 #include "tests/test.h"
 
+#include <string.h>
+
 // a smooth map of the unit square that keeps det J > 0
 static void bend(double x, double y, double *out)
 {
@@ -123,6 +125,49 @@ static void an_inverted_element_is_found(void)
     mesh_free(&m);
 }
 
+// the lower half of det J's range that is wrong: elements turned inside out as a whole, and a fold
+// that is hardly seen
+static void inside_out_and_slightly_folded_are_inverted(void)
+{
+    for (int p = 1; p <= 3; p++) {
+        for (int s = 0; s < 2; s++) {
+            mesh m = {0};
+            double ratio;
+            bent_square(s ? SHAPE_QUAD : SHAPE_TRIANGLE, p, 2, &m);
+            CHECK_OK(mesh_check(&m));
+            for (int i = 0; i < m.nnode; i++) {
+                m.xyz[3 * i] = -m.xyz[3 * i];
+            }
+            CHECK(mesh_check(&m) == ERR_NUMERIC);
+            CHECK(strstr(status_message(), "is inverted") != NULL);
+            status_clear();
+            CHECK_OK(mesh_min_jacobian(&m, &ratio));
+            CHECK(ratio < 0);
+            mesh_free(&m);
+        }
+    }
+    // one corner pulled over the diagonal of a single square: det J is 1 + (c - 1)(x + y) for the
+    // corner at (c, c)
+    const double corner[3] = {0.55, 0.45, 0.2};
+    for (int k = 0; k < 3; k++) {
+        mesh m = {0};
+        double ratio;
+        const shape quad = SHAPE_QUAD;
+        const int one = 1;
+        CHECK_OK(mesh_make(1, 4, 1, &quad, &one, &m));
+        for (int i = 0; i < 4; i++) {
+            m.block[0].conn[i] = i;
+            m.xyz[3 * i] = i == 3 ? corner[k] : i % 2;
+            m.xyz[3 * i + 1] = i == 3 ? corner[k] : (double)(i / 2);
+        }
+        CHECK_OK(mesh_min_jacobian(&m, &ratio));
+        CHECK_NEAR(ratio, (2 * corner[k] - 1) / corner[k], 1e-12);
+        CHECK(mesh_check(&m) == (k == 0 ? OK : ERR_NUMERIC));
+        status_clear();
+        mesh_free(&m);
+    }
+}
+
 static void wrong_meshes_are_refused(void)
 {
     mesh m = {0};
@@ -149,6 +194,7 @@ int main(void)
     lowering_the_order_keeps_shared_nodes_single(SHAPE_QUAD);
     lowering_the_order_keeps_shared_nodes_single(SHAPE_TRIANGLE);
     an_inverted_element_is_found();
+    inside_out_and_slightly_folded_are_inverted();
     wrong_meshes_are_refused();
     return test_failures != 0;
 }

@@ -63,12 +63,8 @@ static void an_existing_one_is_replaced_by_force_only(const scratch *dir)
     refuse(path.text, false, "--force");
     CHECK(holds(path.text, "result.txt", "one"));
 
-    // what lay in the old one is gone with it, whatever it was
-    CHECK(mkdir(scratch_file(dir, "again/inner").text, 0777) == 0);
-    write_whole(scratch_file(dir, "again/inner/old.txt").text, "old", 3);
     write_results(scratch_file(dir, "again/").text, true, "two");
     CHECK(holds(path.text, "result.txt", "two"));
-    CHECK(!exists(scratch_file(dir, "again/inner").text));
     CHECK(count_entries(dir->path, "again") == 1);
 }
 
@@ -100,18 +96,49 @@ static void what_others_wrote_is_never_replaced(const scratch *dir)
     refuse(scratch_file(dir, "..").text, true, "a name of its own");
 }
 
+// one foreign thing among our files keeps the whole directory
+static void what_was_added_keeps_the_directory(const scratch *dir)
+{
+    const scratch_path out = scratch_file(dir, "mixed"), notes = scratch_file(dir, "mixed/notes"),
+                       inner = scratch_file(dir, "mixed/inner"),
+                       marker = scratch_file(dir, "mixed/.stiffaxis"),
+                       ours = scratch_file(dir, "mixed/result.txt");
+    write_results(out.text, false, "one");
+    write_whole(notes.text, "mine", 4);
+    refuse(out.text, true, "'notes' in it was not written by this program");
+    CHECK(mkdir(inner.text, 0777) == 0);
+    refuse(out.text, true, "'inner'"); // the first by name
+    CHECK(unlink(notes.text) == 0 && rmdir(inner.text) == 0);
+    CHECK(symlink("/etc/passwd", notes.text) == 0);
+    refuse(out.text, true, "'notes'");
+    CHECK(unlink(notes.text) == 0);
+
+    // a name of ours that is a link or a directory now is not ours any more
+    CHECK(unlink(ours.text) == 0 && symlink("/etc/passwd", ours.text) == 0);
+    refuse(out.text, true, "'result.txt'");
+    CHECK(unlink(ours.text) == 0 && mkdir(ours.text, 0777) == 0);
+    refuse(out.text, true, "'result.txt'");
+    CHECK(rmdir(ours.text) == 0);
+
+    // and a marker with other words is no marker, though it lists everything
+    write_whole(ours.text, "one", 3);
+    write_whole(marker.text, "result.txt\n.stiffaxis\n", 22);
+    refuse(out.text, true, "'.stiffaxis'");
+    write_whole(marker.text, "", 0);
+    refuse(out.text, true, "not written by this program");
+    CHECK(holds(out.text, "result.txt", "one"));
+}
+
 static void removing_follows_no_link(const scratch *dir)
 {
     const scratch_path kept = scratch_file(dir, "kept"), out = scratch_file(dir, "linked");
-    CHECK(mkdir(kept.text, 0777) == 0);
+    CHECK(mkdir(kept.text, 0777) == 0 && mkdir(out.text, 0777) == 0);
     write_whole(scratch_file(dir, "kept/precious.txt").text, "yes", 3);
-    write_results(out.text, false, "one");
     CHECK(symlink(kept.text, scratch_file(dir, "linked/elsewhere").text) == 0);
     CHECK(symlink(scratch_file(dir, "kept/precious.txt").text,
                   scratch_file(dir, "linked/precious.txt").text) == 0);
-    write_results(out.text, true, "two");
-    CHECK(holds(out.text, "result.txt", "two"));
-    CHECK(!exists(scratch_file(dir, "linked/elsewhere").text));
+    CHECK_OK(disk_remove_tree(out.text));
+    CHECK(!exists(out.text));
     CHECK(holds(kept.text, "precious.txt", "yes"));
 }
 
@@ -184,6 +211,7 @@ int main(void)
     a_new_directory_appears_at_the_end_only(&dir);
     an_existing_one_is_replaced_by_force_only(&dir);
     what_others_wrote_is_never_replaced(&dir);
+    what_was_added_keeps_the_directory(&dir);
     removing_follows_no_link(&dir);
     giving_up_leaves_what_was_there(&dir);
     a_late_comer_is_respected(&dir);

@@ -13,6 +13,9 @@ static void check_refused(const shape_spec *shapes, int n, const char *who, cons
 {
     section_outline o = {0};
     CHECK(freeze(n, shapes, &o) == ERR_INPUT);
+    int line = 0, column = 0;
+    CHECK(strncmp(who, "shape", 5) != 0 || (status_place(&line, &column) && line == 1));
+    CHECK(!strstr(status_message(), "at s ="));
     const bool told = strstr(status_message(), who) && strstr(status_message(), why);
     if (!told) {
         printf("message: %s, wanted: %s ... %s\n", status_message(), who, why);
@@ -29,18 +32,18 @@ static void bad_numbers_are_refused_with_the_shape(void)
         shape_spec shape;
         const char *who, *why;
     } bad[] = {
-        {an_annulus(3e-3, 4e-3, 0), "shape 2 (annulus, line 1)", "inner_radius"},
-        {an_annulus(3e-3, 3e-3, 0), "shape 2 (annulus, line 1)", "inner_radius"},
-        {an_annulus(4e-3, -1e-3, 0), "shape 2 (annulus, line 1)", "inner_radius"},
-        {an_annulus(NAN, 1e-3, 0), "shape 2 (annulus, line 1)", "outer_radius"},
-        {a_sector(4e-3, 3e-3, 0, 0, 0), "shape 2 (sector, line 1)", "width"},
-        {a_sector(4e-3, 3e-3, 0, 2 * PI, 0), "shape 2 (sector, line 1)", "width"},
-        {a_sector(4e-3, 3e-3, INFINITY, 1, 0), "shape 2 (sector, line 1)", "mid_angle"},
-        {a_disc(0, 0, 0, 0), "shape 2 (disc, line 1)", "radius"},
-        {a_disc(1e-3, NAN, 0, 0), "shape 2 (disc, line 1)", "centre_x"},
-        {a_disc(1e9, 0, 0, 0), "shape 2 (disc, line 1)", "reaches"},
-        {a_rectangle(1e-3, -1e-3, 0, 0, 0, 0), "shape 2 (rectangle, line 1)", "height"},
-        {a_rectangle(1e-3, 1e-3, NAN, 0, 0, 0), "shape 2 (rectangle, line 1)", "angle"},
+        {an_annulus(3e-3, 4e-3, 0), "shape 2 (annulus)", "inner_radius"},
+        {an_annulus(3e-3, 3e-3, 0), "shape 2 (annulus)", "inner_radius"},
+        {an_annulus(4e-3, -1e-3, 0), "shape 2 (annulus)", "inner_radius"},
+        {an_annulus(NAN, 1e-3, 0), "shape 2 (annulus)", "outer_radius"},
+        {a_sector(4e-3, 3e-3, 0, 0, 0), "shape 2 (sector)", "width"},
+        {a_sector(4e-3, 3e-3, 0, 2 * PI, 0), "shape 2 (sector)", "width"},
+        {a_sector(4e-3, 3e-3, INFINITY, 1, 0), "shape 2 (sector)", "mid_angle"},
+        {a_disc(0, 0, 0, 0), "shape 2 (disc)", "radius"},
+        {a_disc(1e-3, NAN, 0, 0), "shape 2 (disc)", "centre_x"},
+        {a_disc(1e9, 0, 0, 0), "shape 2 (disc)", "reaches"},
+        {a_rectangle(1e-3, -1e-3, 0, 0, 0, 0), "shape 2 (rectangle)", "height"},
+        {a_rectangle(1e-3, 1e-3, NAN, 0, 0, 0), "shape 2 (rectangle)", "angle"},
     };
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
         const shape_spec shapes[] = {good, bad[i].shape};
@@ -52,6 +55,22 @@ static void bad_numbers_are_refused_with_the_shape(void)
     shape_spec both = good;
     both.disc = cuts.disc;
     check_refused(&both, 1, "shape 1", "exactly one");
+}
+
+static double shrinking(const void *unused, double s)
+{
+    (void)unused;
+    return 4e-3 - 8e-3 * s;
+}
+
+static void the_arclength_is_told_where_something_varies(void)
+{
+    section_outline o = {0};
+    shape_spec ring = an_annulus(4e-3, 3e-3, 0);
+    ring.annulus.outer_radius = (field){.at = shrinking};
+    CHECK(freeze(1, &ring, &o) == ERR_INPUT);
+    CHECK(strstr(status_message(), "at s = 500 mm") != NULL);
+    status_clear();
 }
 
 static void bad_polygons_are_refused(void)
@@ -183,6 +202,7 @@ static void what_varies_along_the_rod_freezes_at_its_place(void)
 int main(void)
 {
     bad_numbers_are_refused_with_the_shape();
+    the_arclength_is_told_where_something_varies();
     bad_polygons_are_refused();
     loops_are_turned_moved_and_ordered();
     the_last_sector_declares_turn_and_symmetry();

@@ -4,6 +4,8 @@
 #include "tests/unit/reports/files.h"
 #include "tests/unit/reports/synthetic.h"
 
+#include <unistd.h>
+
 static const char *const names[] = {"section", "segment", "rods", "curvature"};
 
 // the first bytes of a PNG and the size in its header: two pixels to the point
@@ -53,6 +55,28 @@ static void every_figure_is_written(double turns, int nsolution, const char *dir
         check_png(dir, names[i]);
     }
     synthetic_free(&r);
+}
+
+// a load of nonsense is drawn as nonsense, and soon: no loop, no failure of cairo
+static void numbers_beyond_paper_do_no_harm(void)
+{
+    char dir[64];
+    scratch_make(dir);
+    static const double values[] = {1e9, 1e160, 1e308, INFINITY, NAN};
+    for (size_t i = 0; i < sizeof values / sizeof *values; i++) {
+        run_result r = {0};
+        CHECK_OK(synthetic_make(2, 0.4, -0.5, &r));
+        r.segment.load[0].displacement[7] = values[i];
+        r.segment.load[0].point[0] = values[i];
+        r.section.station[0].centres.stiffness_centre[0] = values[i];
+        r.rod.run[0].shape[3].p.a[0] = values[i];
+        r.rod.run[0].curvature[3][0] = values[i];
+        (void)alarm(60);
+        CHECK_OK(figures_all(&r, dir));
+        (void)alarm(0);
+        synthetic_free(&r);
+    }
+    scratch_free(dir);
 }
 
 // in one process, where cairo goes on counting its surfaces
@@ -130,6 +154,7 @@ int main(void)
     a_rerun_gives_the_same_bytes();
     parts_that_are_not_there_make_no_picture();
     odd_results_are_drawn();
+    numbers_beyond_paper_do_no_harm();
     a_picture_that_cannot_be_written_says_so();
     return test_failures != 0;
 }

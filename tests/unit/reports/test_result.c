@@ -24,6 +24,15 @@ static void fill(counter *c, size_t n, void *to)
     }
 }
 
+// moduli, areas: what has to be above 0
+static void fill_positive(counter *c, size_t n, double *to)
+{
+    fill(c, n, to);
+    for (size_t i = 0; i < n; i++) {
+        to[i] = 2 + to[i];
+    }
+}
+
 static char *copy_text(const char *text)
 {
     char *copy = NULL;
@@ -80,12 +89,12 @@ static void make_section(counter *c, run_result *r)
     for (int i = 0; i < 2; i++) {
         s->station[i].s = 0.06 * i;
         s->station[i].law = some_law(c);
-        fill(c, 1, &s->station[i].centres.EA);
+        fill_positive(c, 1, &s->station[i].centres.EA);
         fill(c, 2, s->station[i].centres.stiffness_centre);
         fill(c, 3, s->station[i].centres.EI_centre);
-        fill(c, 2, s->station[i].centres.EI);
+        fill_positive(c, 2, s->station[i].centres.EI);
         fill(c, 1, &s->station[i].centres.principal_angle);
-        fill(c, 1, &s->station[i].centres.GJ);
+        fill_positive(c, 1, &s->station[i].centres.GJ);
         fill(c, 2, s->station[i].centres.shear_centre);
     }
     s->station[1].centres.isotropic = true;
@@ -444,6 +453,59 @@ static void a_file_that_lies_is_refused(const scratch *dir)
     run_result_free(&r);
 }
 
+// with one number wrong the file is refused by that number's name; else the pictures run away
+static void numbers_beyond_reason_are_refused(const scratch *dir)
+{
+    const scratch_path path = scratch_file(dir, "numbers.hdf");
+    run_result r = make_run();
+    const struct {
+        double *number, value;
+        const char *name;
+    } wrong[] = {
+        {&r.segment.load[0].displacement[5], 1e160, "fem/load/0/displacement_m"},
+        {&r.segment.load[1].displacement[0], -2e9, "fem/load/1/displacement_m"},
+        {&r.segment.load[0].point[1], 1e308, "fem/load/point_m"},
+        {&r.segment.stiffness_centre[0], 1e308, "fem/stiffness_centre_m"},
+        {&r.segment_mesh.xyz[4], 1e308, "fem/mesh/node_m"},
+        {&r.segment_plane.xyz[3], -1e308, "fem/plane/node_m"},
+        {&r.segment_length, 1e308, "fem/length_m"},
+        {&r.segment_length, 0, "fem/length_m"},
+        {&r.section_mesh.xyz[3], 1e308, "section/mesh/node_m"},
+        {&r.section_mesh.xyz[3], 0, "section/mesh/node_m"}, // all on one line
+        {&r.section.station[0].centres.stiffness_centre[0], 1e308, "section/stiffness_centre_m"},
+        {&r.section.station[1].centres.EA, 0, "section/EA_N"},
+        {&r.section.station[1].centres.EA, 1e308, "section/EA_N"},
+        {&r.section.station[0].law.K.a[2][2], 1e308, "section/K"},
+        {&r.rod.run[0].shape[1].p.a[2], 1e308, "rod/shape/0/p_m"},
+        {&r.rod.run[1].curvature[1][0], -1e308, "rod/shape/1/curvature_per_m"},
+        {&r.rod_length, 1e308, "rod/length_m"},
+        {&r.rod_length, 0, "rod/length_m"},
+        {&r.rod_length, -0.1, "rod/length_m"},
+        {&r.materials[1].E, 0, "material/E_Pa"},
+        {&r.materials[0].E, 1e308, "material/E_Pa"},
+        {&r.compare[0].ours, NAN, "compare/ours"},
+        {&r.compare[1].ours, INFINITY, "compare/ours"},
+    };
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+        run_result back = {0};
+        char quoted[64];
+        const double kept = *wrong[i].number;
+        *wrong[i].number = wrong[i].value;
+        CHECK_OK(result_store_write(&r, path.text));
+        *wrong[i].number = kept;
+        (void)snprintf(quoted, sizeof quoted, "damaged: '%s'", wrong[i].name);
+        const bool refused = result_store_read(path.text, &back) == ERR_FILE &&
+                             strstr(status_message(), quoted) != NULL;
+        CHECK(refused);
+        if (!refused) {
+            printf("%s = %g: %s\n", wrong[i].name, wrong[i].value, status_message());
+        }
+        status_clear();
+        run_result_free(&back);
+    }
+    run_result_free(&r);
+}
+
 static void damaged_files_never_bring_us_down(const scratch *dir)
 {
     enum { TRIALS = 60 };
@@ -530,6 +592,7 @@ int main(void)
     the_store_gives_back_all_of_a_run(&dir);
     parts_that_are_not_there_stay_away(&dir);
     a_file_that_lies_is_refused(&dir);
+    numbers_beyond_reason_are_refused(&dir);
     damaged_files_never_bring_us_down(&dir);
     a_killed_run_leaves_no_file(&dir);
     tables_have_a_line_per_thing(&dir);

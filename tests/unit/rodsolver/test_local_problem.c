@@ -158,12 +158,35 @@ static void newton_sees_a_tendon_that_is_eaten(void)
     }
 }
 
+// just below the critical tension a tendon is short, and its strain a minimum like any other
+static void newton_solves_tendons_that_are_nearly_eaten(void)
+{
+    const double share[3] = {1e-2, 1e-3, 1e-4};
+    unsigned state = 17;
+    for (int k = 0; k < 90; k++) {
+        mat6 K;
+        local_problem p;
+        secular_station s;
+        random_problem(&state, 1, &K, &p);
+        CHECK_OK(secular_prepare(&K, &p.rest, &p.place[0], &s));
+        const double critical = secular_critical(&s);
+        int steps = 0, which = -1;
+        vec6 xi = p.rest;
+        p.tension[0] = critical * (1 - share[k % 3]);
+        CHECK(local_solve(&p, &xi, &steps, &which) == LOCAL_SOLVED);
+        CHECK(imbalance(&p, xi) < 1e-9);
+        const double left = vec3_norm(tendon_direction(&p.place[0], &xi));
+        CHECK(left > 1e-6 && left < 10 * share[k % 3]);
+    }
+}
+
 int main(void)
 {
     newton_balances_the_wrenches();
     newton_finds_the_same_minimum_from_anywhere();
     secular_equation_agrees_with_newton();
     critical_tension_has_its_closed_form();
+    newton_solves_tendons_that_are_nearly_eaten();
     newton_sees_a_tendon_that_is_eaten();
     return test_failures != 0;
 }

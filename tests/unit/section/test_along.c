@@ -150,7 +150,7 @@ static void stations_asked_for(void)
     section_result_free(&r);
     s[2] = 0.13;
     CHECK(section_along(&c, two, length, &r) == ERR_INPUT);
-    CHECK(strstr(status_message(), "0.13") != NULL);
+    CHECK(strstr(status_message(), "130 mm") != NULL);
     status_clear();
 }
 
@@ -181,7 +181,7 @@ static void a_jump_is_refused_with_its_place(void)
     section_result r = {0};
     CHECK(section_along(&c, two, length, &r) == ERR_NUMERIC);
     // 16 panels of 7.5 mm: the jump lies in the one from 37.5 mm to 45 mm
-    CHECK(strstr(status_message(), "between s = 0.0375 m and 0.045 m") != NULL);
+    CHECK(strstr(status_message(), "between s = 37.5 mm and 45 mm") != NULL);
     status_clear();
 }
 

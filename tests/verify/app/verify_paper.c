@@ -5,6 +5,8 @@
 
 #include "tests/test.h"
 
+#include <string.h>
+
 static const double degrees = 180 / M_PI;
 
 // runs the parts of cases/NAME.yaml; the case must outlive the result
@@ -124,10 +126,117 @@ static void fig_4_holds_for_soft_rubber_too(void)
     done(&c, &r);
 }
 
+// --- tips of the classical section with nu = 0.45 by another solver, good to 1e-11 m
+
+typedef struct known_tip {
+    const char *name;
+    double tension[2], tip[3];
+} known_tip;
+
+static const known_tip known_tips[] = {
+    {"constant_nc", {0.49, 0}, {0.08028418628221297, 0, 0.05294104438628274}},
+    {"constant_nc", {0, 0.49}, {-0.02969691042957603, 0, 0.11397934811276046}},
+    {"constant_nc", {0.98, 0}, {0.04600661601636546, 0, -0.019715267641886875}},
+    {"constant_nc", {0, 0.98}, {-0.055183595642014256, 0, 0.09871079721865669}},
+    {"helical_nc", {0.98}, {-0.03127907696297282, 0.08485895950768964, 0.02897760051018824}},
+    {"helical_nc", {1.96}, {-0.005438892654100678, 0.03703327984881886, -0.036215048325144994}},
+};
+enum { KNOWN_TIPS = sizeof known_tips / sizeof *known_tips };
+
+static double distance(vec3 a, vec3 b)
+{
+    return vec3_norm(vec3_sub(a, b));
+}
+
+static const struct rod_run *run_with(const run_result *r, const double tension[2])
+{
+    for (int i = 0; i < r->rod.nsolution; i++) {
+        const struct rod_run *run = &r->rod.run[i];
+        if (run->tension[0] == tension[0] &&
+            (r->rod.ntendon < 2 || run->tension[1] == tension[1])) {
+            return run;
+        }
+    }
+    printf("no solution for %g N, %g N\n", tension[0], tension[1]);
+    exit(1);
+}
+
+// the case in both frames, with overrides before the frame's own
+static void run_frames(const char *name, int noverride, const char *const *overrides,
+                       case_data c[2], run_result r[2])
+{
+    const char *all[8];
+    for (int i = 0; i < noverride; i++) {
+        all[i] = overrides[i];
+    }
+    for (int k = 0; k < 2; k++) {
+        all[noverride] = k == 0 ? "rod.frame=gc" : "rod.frame=nc";
+        run_case(name, noverride + 1, all, (chain_parts){.rod = true}, &c[k], &r[k]);
+    }
+}
+
+static void frames_agree(const run_result r[2])
+{
+    double apart = 0;
+    CHECK(r[0].rod.nsolution > 0 && r[0].rod.nsolution == r[1].rod.nsolution);
+    for (int i = 0; i < r[0].rod.nsolution; i++) {
+        apart = fmax(apart, distance(r[0].rod.run[i].tip.p, r[1].rod.run[i].tip.p));
+    }
+    printf("%d tips, GC and NC %.1e m apart\n", r[0].rod.nsolution, apart);
+    CHECK(apart <= 1e-12);
+}
+
+static void tips_of_the_paper_model(const char *name)
+{
+    const char *overrides[] = {paper_model[0], paper_model[1], paper_model[2],
+                               "section.tolerance=1e-12", "rod.tolerance=1e-12"};
+    case_data c[2] = {0};
+    run_result r[2] = {0};
+    run_frames(name, 5, overrides, c, r);
+    frames_agree(r);
+    for (int k = 0; k < KNOWN_TIPS; k++) {
+        const known_tip *known = &known_tips[k];
+        if (strcmp(known->name, name) != 0) {
+            continue;
+        }
+        const vec3 wanted = {{known->tip[0], known->tip[1], known->tip[2]}};
+        for (int frame = 0; frame < 2; frame++) {
+            const struct rod_run *run = run_with(&r[frame], known->tension);
+            CHECK_WITHIN(distance(run->tip.p, wanted), 0, 1e-9);
+        }
+    }
+    for (int k = 0; k < 2; k++) {
+        done(&c[k], &r[k]);
+    }
+}
+
+// Twice the printed width: at theta_w = 0.443 pi, s/L = 0.23, the two bending moments are equal,
+// and only the declared axis tells the stiffness-centre frame where to go
+static void frames_agree_where_moments_cross(const char *model)
+{
+    const char *overrides[] = {model, "rod.tolerance=1e-12",
+                               "rod.tensions_N=[[0.49], [0.98], [1.96]]"};
+    case_data c[2] = {0};
+    run_result r[2] = {0};
+    run_frames("helical_nc_halfwidth", 3, overrides, c, r);
+    const section_result *section = &r[1].section;
+    const beam_centres *base = &section->station[0].centres;
+    const beam_centres *tip = &section->station[section->nstation - 1].centres;
+    CHECK(base->EI[0] > base->EI[1] && tip->EI[0] < tip->EI[1]);
+    frames_agree(r);
+    for (int k = 0; k < 2; k++) {
+        done(&c[k], &r[k]);
+    }
+}
+
 int main(void)
 {
     fig_7_bends_by_226_and_58_degrees(3);
     fig_7_bends_by_226_and_58_degrees(0);
+    tips_of_the_paper_model("constant_nc");
+    tips_of_the_paper_model("helical_nc");
+    frames_agree_where_moments_cross("section.model=classical");
+    frames_agree_where_moments_cross("section.model=full");
     fig_8_is_nearly_straight_in_the_middle();
     fig_4_bends_at_gc_and_compresses_at_nc();
     fig_4_holds_for_soft_rubber_too();

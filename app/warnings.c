@@ -1,0 +1,101 @@
+// app/warnings.c
+#include "app/warnings.h"
+
+#include <math.h>
+#include <stdarg.h>
+
+// places along a tendon that are looked at, ends included
+enum { TENDON_SAMPLES = 17 };
+
+// what the rounding of a radius may add to a tendon that runs in the section's very edge
+static const double EDGE_ROUNDING = 1e-9;
+
+// Length over the section's radius below which the ends' layers meet: what decays slowest in a full
+// section falls by e within about half a radius, and by 50 over two from either end.
+static const double SHORTEST_FREE_MIDDLE = 4;
+
+static void warn_at(const command *cmd, const case_data *c, mark at, const char *format, ...)
+    __attribute__((format(printf, 4, 5)));
+
+static void warn_at(const command *cmd, const case_data *c, mark at, const char *format, ...)
+{
+    char where[CONFIG_PLACE_TEXT];
+    if (!cmd->first_rank) {
+        return;
+    }
+    command_progress(cmd, NULL);
+    config_place_text(c->config, at, where);
+    fprintf(stderr, "%swarning: ", where);
+    va_list args;
+    va_start(args, format);
+    (void)vfprintf(stderr, format, args);
+    va_end(args);
+    (void)fputc('\n', stderr);
+}
+
+static status section_reach(const case_data *c, double s, double *reach)
+{
+    section_outline outline = {0};
+    const status st = case_place(c, shapes_at(c->shapes, s, &outline), c->file.section.at);
+    *reach = outline.size;
+    section_outline_free(&outline);
+    return st;
+}
+
+static double tendon_distance(const tendon_spec *t, double s)
+{
+    const double radius = field_at(&t->radius, s), angle = field_at(&t->angle, s);
+    return hypot(radius * cos(angle) + field_at(&t->x, s),
+                 radius * sin(angle) + field_at(&t->y, s));
+}
+
+// one line for the first place where the tendon lies outside
+static status warn_tendon(const command *cmd, const case_data *c, const tendon_spec *t, int number)
+{
+    status st = OK;
+    const double end = t->end > 0 ? t->end : c->file.rod.length;
+    for (int i = 0; i < TENDON_SAMPLES; i++) {
+        const double s = end * i / (TENDON_SAMPLES - 1), away = tendon_distance(t, s);
+        double reach = 0;
+        TRY(section_reach(c, s, &reach));
+        if (away > reach * (1 + EDGE_ROUNDING)) {
+            char name[64], where[40] = "";
+            (void)snprintf(name, sizeof name, t->name ? "'%.60s'" : "%.0s%d",
+                           t->name ? t->name : "", number);
+            if (i > 0) {
+                (void)snprintf(where, sizeof where, " at s = %.6g mm", 1e3 * s);
+            }
+            warn_at(cmd, c, t->at, "tendon %s runs at %.6g mm, outside the section (%.6g mm)%s",
+                    name, 1e3 * away, 1e3 * reach, where);
+            break;
+        }
+    }
+
+done:
+    return st;
+}
+
+status warn_tendons(const command *cmd, const case_data *c)
+{
+    status st = OK;
+    const tendon_spec *tendons = c->file.rod.tendons.items;
+    for (int i = 0; i < c->file.rod.tendons.count; i++) {
+        TRY(warn_tendon(cmd, c, &tendons[i], i + 1));
+    }
+
+done:
+    return st;
+}
+
+status warn_segment(const command *cmd, const case_data *c)
+{
+    const segment_case *sc = &c->file.fem;
+    double reach = 0;
+    const status st = section_reach(c, sc->section_at, &reach);
+    if (st == OK && sc->length < SHORTEST_FREE_MIDDLE * reach) {
+        warn_at(cmd, c, sc->at,
+                "the segment is %.3g radii long; its middle is not free of its ends below %g",
+                sc->length / reach, SHORTEST_FREE_MIDDLE);
+    }
+    return st;
+}

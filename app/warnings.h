@@ -1,0 +1,13 @@
+// app/warnings.h
+// What a case says that can be computed but hardly was meant: lines "FILE:LINE:COL: warning: ..."
+// on stderr.
+#pragma once
+
+#include "app/case.h"
+#include "app/command.h"
+
+// Tendons outside of the section. ERR_INPUT where the section cannot be drawn.
+status warn_tendons(const command *cmd, const case_data *c);
+
+// A segment so short that its middle is not free of its ends.
+status warn_segment(const command *cmd, const case_data *c);
