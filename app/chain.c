@@ -81,21 +81,6 @@ done:
     return st;
 }
 
-status chain_plane_mesh(const case_data *c, double s, int order, double size, mesh *out)
-{
-    status st = OK;
-    section_outline outline = {0};
-    mesh_options options = c->file.section.mesh;
-    options.order = order > 0 ? order : options.order;
-    options.size = size > 0 ? size : options.size;
-    TRY(case_place(c, shapes_at(c->shapes, s, &outline), c->file.section.at));
-    TRY(case_place(c, section_mesh_make(&outline, &options, out), c->file.section.at));
-
-done:
-    section_outline_free(&outline);
-    return st;
-}
-
 status chain_section(const case_data *c, bool mesh, run_result *out)
 {
     status st = OK;

@@ -66,5 +66,11 @@ status passage_words(const passage *p, const char *name, char *text, size_t size
 // within nmaterial. nnode 0: there is none.
 status passage_mesh(const passage *p, const char *group, int dim, int nmaterial, mesh *m);
 
+// GROUP/TAIL, cut where it would be too long.
+typedef struct passage_name {
+    char text[PASSAGE_MAX_NAME];
+} passage_name;
+passage_name passage_join(const char *group, const char *tail);
+
 // ERR_FILE: "PATH: damaged: NAME WORDS"
 status passage_damaged(const passage *p, const char *name, const char *words);

@@ -60,24 +60,6 @@ done:
     return st;
 }
 
-status plan_add(rod *r, int npanel)
-{
-    status st = OK;
-    plan *p = &r->plans[r->nplan];
-    TRY(plan_make(r, npanel, p));
-    r->nplan++;
-    r->solved = NULL;
-    free(r->xi);
-    free(r->pair_pose);
-    r->xi = NULL;
-    r->pair_pose = NULL;
-    TRY(TAKE(r->xi, 6 * (size_t)p->nstation));
-    TRY(TAKE(r->pair_pose, (size_t)p->npair + 1));
-
-done:
-    return st;
-}
-
 static void end_frames(rod *r)
 {
     if (r->options.frame == FRAME_NC) {

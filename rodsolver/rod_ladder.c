@@ -1,8 +1,27 @@
 // rodsolver/rod_ladder.c
 // Which plans a rod needs for its tolerance: tried on probing loads when it is made.
+#include "base/memory.h"
 #include "rodsolver/rod_plan.h"
 
 #include <math.h>
+
+status plan_add(rod *r, int npanel)
+{
+    status st = OK;
+    plan *p = &r->plans[r->nplan];
+    TRY(plan_make(r, npanel, p));
+    r->nplan++;
+    r->solved = NULL;
+    free(r->xi);
+    free(r->pair_pose);
+    r->xi = NULL;
+    r->pair_pose = NULL;
+    TRY(TAKE(r->xi, 6 * (size_t)p->nstation));
+    TRY(TAKE(r->pair_pose, (size_t)p->npair + 1));
+
+done:
+    return st;
+}
 
 // two panels, then steps of 3/2 and 4/3
 static const int panel_count[ROD_MAX_PLANS] = {2,  4,   6,   8,   12,  16,  24,  32,   48,   64,
