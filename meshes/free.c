@@ -12,6 +12,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <time.h>
 
 // An element's det J may fall to this part of its mean. Below, shorter edges are asked for: at 0 an
 // element inverts, and the condition of its matrices grows with the inverse.
@@ -19,6 +20,7 @@ static const double LEAST_JACOBIAN = 0.1;
 
 enum {
     MOST_TRIES = 8, // each halves the edges where elements are bad
+    PATIENCE = 15,  // [s] no new try after that
     MOST_SOURCES = 2000,
     MOST_HALVINGS = 3, // of all arcs, where a face has no triangle at all
 };
@@ -166,6 +168,13 @@ static status fail_at(const section_outline *o, const attempt *a)
                         a->at[0] * o->size * 1e3, a->at[1] * o->size * 1e3);
 }
 
+static double wall_seconds(void)
+{
+    struct timespec t = {0};
+    (void)clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
 status free_mesh_make(const section_outline *o, const mesh_options *options, mesh *out, int **owner)
 {
     status st = OK;
@@ -180,7 +189,10 @@ status free_mesh_make(const section_outline *o, const mesh_options *options, mes
 
     TRY(section_check_thickness(o));
     TRY(plane_shapes_make(o, &request));
-    for (int k = 0, lost = 0; k < MOST_TRIES && lost <= MOST_HALVINGS && a.nbad > 0; k++) {
+    const double begin = wall_seconds();
+    for (int k = 0, lost = 0;
+         k < MOST_TRIES && lost <= MOST_HALVINGS && a.nbad > 0 && wall_seconds() - begin < PATIENCE;
+         k++) {
         attempt_free(&a);
         TRY(try_once(o, &request, options->order, &a));
         lost += a.lost;

@@ -18,7 +18,7 @@ static const char *const style[] = {
     "body{margin:0;background:#fff;color:var(--ink);font:16px/1.55 system-ui,-apple-system,'Segoe "
     "UI',"
     "'DejaVu Sans',sans-serif}\n"
-    "main,header>div,footer>div{max-width:1060px;margin:0 auto;padding:0 20px}\n",
+    "main,header>div,footer>div{max-width:1180px;margin:0 auto;padding:0 20px}\n",
     "header{background:#16324a;color:#fff;padding:30px 0 26px}\n"
     "header p{margin:6px 0 0;color:#c8d7e4}\n"
     "h1{font-size:1.75rem;line-height:1.2;margin:0;overflow-wrap:anywhere}\n"
@@ -35,7 +35,7 @@ static const char *const style[] = {
     "0;font-size:1.18rem;font-weight:600;font-variant-numeric:tabular-nums}\n"
     "dl.key small{font-weight:400;font-size:.82rem;color:var(--soft)}\n",
     ".scroll{overflow-x:auto;margin:.8rem 0}\n"
-    "table{border-collapse:collapse;font-size:.9rem;font-variant-numeric:tabular-nums;min-width:"
+    "table{border-collapse:collapse;font-size:.86rem;font-variant-numeric:tabular-nums;min-width:"
     "100%}\n"
     "caption{caption-side:top;text-align:left;color:var(--soft);padding:0 0 6px}\n"
     "th,td{padding:6px 12px;text-align:right;border-bottom:1px solid "
