@@ -118,7 +118,7 @@ status chain_run(const command *cmd, const case_data *c, chain_parts parts, run_
     if (parts.segment) {
         TRY(warn_segment(cmd, c));
         command_progress(cmd, "3D segment");
-        TRY(chain_segment(c, &r));
+        TRY(chain_segment(c, parts.pictures, &r));
     }
     if (parts.compare) { // on every rank: the section's law by 3D FEM is solved by all of them
         TRY(compare_all(cmd, c, &r));

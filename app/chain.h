@@ -9,7 +9,7 @@
 
 typedef struct chain_parts {
     bool section, rod, segment, compare;
-    bool pictures; // what only figures and the store need: the section's mesh
+    bool pictures; // what only figures and the store need: the section's mesh, displacements
 } chain_parts;
 
 // Everything that the case asks for.
@@ -23,7 +23,7 @@ status chain_run(const command *cmd, const case_data *c, chain_parts parts, run_
 status chain_about(const command *cmd, const case_data *c, run_result *out);
 status chain_section(const case_data *c, bool mesh, run_result *out);
 status chain_rods(const command *cmd, const case_data *c, run_result *out); // after chain_section
-status chain_segment(const case_data *c, run_result *out);
+status chain_segment(const case_data *c, bool displacements, run_result *out);
 
 // The plane mesh of the section at arclength s: `order` and `size` of the elements, 0 for the
 // case's own.

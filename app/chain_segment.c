@@ -68,7 +68,7 @@ done:
     return st;
 }
 
-status chain_segment(const case_data *c, run_result *out)
+status chain_segment(const case_data *c, bool displacements, run_result *out)
 {
     status st = OK;
     const segment_case *sc = &c->file.fem;
@@ -87,8 +87,8 @@ status chain_segment(const case_data *c, run_result *out)
         .base = sc->base,
         .tip = sc->tip,
     };
-    st = segment_solve(&model, sc->loads.count, sc->loads.items, (const double(*)[2])point, 1,
-                       &out->segment);
+    st = segment_solve(&model, sc->loads.count, sc->loads.items, (const double(*)[2])point,
+                       displacements, &out->segment);
     TRY(case_place(c, st, sc->at));
     out->has_segment = true;
     out->segment_length = sc->length;

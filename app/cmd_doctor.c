@@ -83,7 +83,7 @@ done:
 
 static status try_segment(patient *p)
 {
-    return p->c.config ? chain_segment(&p->c, &p->r)
+    return p->c.config ? chain_segment(&p->c, false, &p->r)
                        : status_fail(ERR_RESOURCE, "needs the step before");
 }
 
