@@ -101,8 +101,9 @@ static status check_section(case_data *c)
 {
     const key_rows *stations = &c->file.section.stations;
     mark where = c->file.section.at;
-    status st =
-        case_place(c, section_case_bind(&c->file.section, &c->file.materials, &where), where);
+    const section_surroundings around = {0};
+    status st = case_place(
+        c, section_case_bind(&c->file.section, &c->file.materials, &around, &where), where);
     if (st != OK) {
         return st;
     }
@@ -176,6 +177,7 @@ done:
 
 void case_free(case_data *c)
 {
+    section_case_release(&c->file.section);
     config_free(c->config);
     *c = (case_data){0};
 }

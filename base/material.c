@@ -47,3 +47,27 @@ mat6 material_stiffness(const material *m)
     }
     return Q;
 }
+
+status material_bind(material *m)
+{
+    m->kind = MATERIAL_ISOTROPIC;
+    return OK;
+}
+
+material material_at(const material *m, double s)
+{
+    material frozen = *m;
+    frozen.modulus.s = s;
+    return frozen;
+}
+
+double material_grade(const material *m, double x, double y)
+{
+    return m->modulus.at ? place_field_at(&m->modulus, x, y) / m->E : 1;
+}
+
+mat6 material_stiffness_in(const material *m, const material_frame *frame, double x, double y)
+{
+    (void)frame, (void)x, (void)y;
+    return material_stiffness(m);
+}

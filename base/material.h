@@ -1,23 +1,63 @@
 // base/material.h
-// Linear elastic materials of a case.
+// Linear elastic materials of a case: isotropic, orthotropic or anisotropic, uniform or graded.
+//
+// Own axes 1 (fibre), 2, 3; a material_frame says how they lie in the section. Strains and stresses
+// in the section are ordered xx yy zz yz xz xy with engineering shear strains.
 #pragma once
 
 #include "base/dense.h"
+#include "base/field.h"
 #include "base/key.h"
+#include "base/material_frame.h"
 #include "base/status.h"
+
+typedef enum material_kind {
+    MATERIAL_ISOTROPIC,
+    MATERIAL_ORTHOTROPIC, // nine constants
+    MATERIAL_ANISOTROPIC, // a 6x6
+} material_kind;
 
 typedef struct material {
     mark at;          // its place in the case file
     const char *name; // owned by the case
-    double E;         // Young's modulus [Pa], > 0
-    double nu;        // Poisson's ratio, -1 < nu < 0.5
-    double
-        linear_strain; // largest strain at which the material stays close to linear; 0 = not known
+    // isotropic as it stands; of another kind what material_bind finds: E along the rod of an
+    // element without a frame of its own (1 / S_zz) and the mean of its two Poisson's ratios
+    double E; // Young's modulus [Pa], > 0; of a graded material its value at x = y = s = 0, or
+              // where that is not positive 1
+    double nu;
+    double linear_strain; // largest strain at which the material stays close to linear; 0 = not
+                          // known
+    double density;       // [kg/m^3]; 0: not given
+    place_field modulus;  // graded: E over the place [Pa]
+    double fibre_angle, plane_angle; // of the material's axes in every frame [rad]
+    int kind;                        // material_kind, set by material_bind
+    double E1, E2, E3, G12, G13, G23, nu12, nu13,
+        nu23;           // orthotropic [Pa, -]; nu_ij = -eps_j / eps_i
+    key_rows stiffness; // anisotropic: [6][6] in own axes, order 11 22 33 23 13 12 [Pa]
 } material;
 
 extern const key_table material_keys; // one entry of `materials`
 
-double material_shear_modulus(const material *m); // G = E / (2 (1 + nu)) [Pa]
+// Finds the kind, E and nu. ERR_INPUT, with the material's place, where the elastic constants are
+// not positive definite: the message names the inequality that they break.
+status material_bind(material *m);
 
-// Q: stress = Q strain, order xx yy zz yz xz xy with engineering shear strains [Pa].
+// The same material at arclength s: what is graded along the rod is frozen there.
+material material_at(const material *m, double s);
+
+static inline bool material_is_graded(const material *m) // over the section
+{
+    return m->modulus.at && m->modulus.across;
+}
+
+// E(x, y) / E of a graded material, else 1; may be <= 0 where the case's expression is.
+double material_grade(const material *m, double x, double y);
+
+double material_shear_modulus(const material *m); // G = E / (2 (1 + nu)) [Pa]; isotropic
+
+// Q in the section's axes: stress = Q strain [Pa], at the modulus E. `frame` NULL: the section's
+// own. A polar frame is taken at (x, y).
+mat6 material_stiffness_in(const material *m, const material_frame *frame, double x, double y);
+
+// The same without a frame.
 mat6 material_stiffness(const material *m);

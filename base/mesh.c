@@ -13,7 +13,9 @@ void mesh_free(mesh *m)
     for (int b = 0; b < m->nblock; b++) {
         free(m->block[b].conn);
         free(m->block[b].material);
+        free(m->block[b].frame);
     }
+    free(m->frame);
     *m = (mesh){0};
 }
 
@@ -39,16 +41,45 @@ done:
     return st;
 }
 
-// an empty mesh with the blocks of another, of any order
+status mesh_take_frames(mesh *m, int nframe)
+{
+    status st = OK;
+    TRY(TAKE(m->frame, (size_t)nframe));
+    m->nframe = nframe;
+    for (int b = 0; b < m->nblock; b++) {
+        mesh_block *block = &m->block[b];
+        TRY(TAKE(block->frame, (size_t)block->nelem));
+        for (int e = 0; e < block->nelem; e++) {
+            block->frame[e] = -1;
+        }
+    }
+
+done:
+    return st;
+}
+
+// an empty mesh with the blocks of another, of any order, and its frames
 static status make_like(const mesh *in, int order, int nnode, mesh *out)
 {
+    status st = OK;
     shape shapes[MESH_MAX_BLOCKS];
     int nelem[MESH_MAX_BLOCKS];
     for (int b = 0; b < in->nblock; b++) {
         shapes[b] = in->block[b].shape;
         nelem[b] = in->block[b].nelem;
     }
-    return mesh_make(order, nnode, in->nblock, shapes, nelem, out);
+    TRY(mesh_make(order, nnode, in->nblock, shapes, nelem, out));
+    if (in->nframe > 0) {
+        TRY(mesh_take_frames(out, in->nframe));
+        memcpy(out->frame, in->frame, (size_t)in->nframe * sizeof *in->frame);
+        for (int b = 0; b < in->nblock; b++) {
+            const size_t n = (size_t)in->block[b].nelem;
+            memcpy(out->block[b].frame, in->block[b].frame, n * sizeof(int));
+        }
+    }
+
+done:
+    return st;
 }
 
 status mesh_copy(const mesh *in, mesh *out)

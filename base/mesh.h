@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/element.h"
+#include "base/material_frame.h"
 #include "base/status.h"
 
 enum { MESH_MAX_BLOCKS = 2 };
@@ -13,6 +14,8 @@ typedef struct mesh_block {
     int per_elem;  // nodes per element
     int *conn;     // [nelem][per_elem], lattice order of base/element.h, from 0
     int *material; // [nelem], index into the case's materials
+    int *frame;    // [nelem], index into the mesh's frames, -1 for the section's own; NULL: all of
+                   // them its own (1 = z, 2 = x, 3 = y)
 } mesh_block;
 
 typedef struct mesh {
@@ -22,6 +25,8 @@ typedef struct mesh {
     double *xyz; // [nnode][3] [m]
     int nblock;
     mesh_block block[MESH_MAX_BLOCKS];
+    int nframe;
+    material_frame *frame; // [nframe] directions of materials; NULL where no element has its own
 } mesh;
 
 // Room for nnode nodes and one block per (shape, nelem) given; zeroed. Owned by the caller:
@@ -30,6 +35,10 @@ status mesh_make(int order, int nnode, int nblock, const shape *shapes, const in
                  mesh *out);
 status mesh_copy(const mesh *in, mesh *out);
 void mesh_free(mesh *m);
+
+// Room for nframe frames and an index for every element, -1 to begin with.
+status mesh_take_frames(mesh *m, int nframe);
+
 int mesh_element_count(const mesh *m);
 
 // The same plane or solid geometry at a lower order (nodes evaluated from the higher one): for

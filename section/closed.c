@@ -80,7 +80,7 @@ static bool covers(const outline *s, double r, double angle)
 }
 
 // the last shape that covers the place; -1 for none
-static int material_at(const section_outline *o, double r, double angle)
+static int ring_material_at(const section_outline *o, double r, double angle)
 {
     for (int i = o->count - 1; i >= 0; i--) {
         if (covers(&o->items[i], r, angle)) {
@@ -125,7 +125,7 @@ status section_classical_closed(const section_outline *o, const material *materi
             const double a = g.radius[i], b = g.radius[i + 1];
             const double mid = ring ? 0 : (g.angle[k] + g.angle[k + 1]) / 2;
             const double half = (ring ? two_pi : g.angle[k + 1] - g.angle[k]) / 2;
-            const int index = material_at(o, (a + b) / 2, mid);
+            const int index = ring_material_at(o, (a + b) / 2, mid);
             if (index >= 0 && b > a && half > 0) {
                 const moments piece = cell_moments(a, b, mid, half, ring);
                 integrals_add(&sum, &piece, &materials[index]);

@@ -299,3 +299,10 @@ done:
     warping_problem_free(&p);
     return st;
 }
+
+status section_turning_mesh(const mesh *m, const material *materials, double turn_rate,
+                            beam_law *out, section_warping *warping)
+{
+    (void)turn_rate;
+    return section_full_mesh(m, materials, out, warping);
+}

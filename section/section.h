@@ -6,6 +6,7 @@
 #include "base/law_along.h"
 #include "base/material.h"
 #include "base/mesh.h"
+#include "meshes/drawing.h"
 #include "meshes/mesher.h"
 #include "meshes/shape.h"
 
@@ -13,19 +14,32 @@ typedef enum section_model { MODEL_FULL, MODEL_CLASSICAL } section_model;
 
 typedef struct section_case {
     mark at;
-    int model;       // section_model
-    key_list shapes; // of shape_spec
+    int model;           // section_model
+    key_list shapes;     // of shape_spec; or else one of the files
+    drawing_files files; // png, msh, step, dxf, geo
+    field turn;          // of the whole section about its origin [rad], beside what the shapes say
+    field scale;         // of all its lengths about its origin
     mesh_options mesh;
     key_rows stations; // arclengths that the user asks for, `stations_mm: [[...]]`; empty: chosen
-    double tolerance;  // of the interpolation along s, relative
+    double tolerance;  // of K, relative, along s too
+    key_list wrenches; // of section_wrench: what stresses are asked for
+    drawing *drawing;  // the open file, by section_case_bind; NULL: shapes
 } section_case;
 
 extern const key_table section_keys; // `section`
 section_case section_case_default(void);
 
-// Resolves material names; ERR_INPUT "FILE-less" message: the caller puts file, line and column of
-// *where in front.
-status section_case_bind(section_case *c, const key_list *materials, mark *where);
+// What the case's files may need.
+typedef struct section_surroundings {
+    const char *directory; // of the case file; NULL: the current one
+    bool allow_scripts;
+} section_surroundings;
+
+// Resolves material names and opens the section's file; ERR_INPUT "FILE-less" message: the caller
+// puts file, line and column of *where in front. Then section_case_release.
+status section_case_bind(section_case *c, const key_list *materials,
+                         const section_surroundings *around, mark *where);
+void section_case_release(section_case *c);
 
 // --- one section
 // ---------------------------------------------------------------------------------------------------
@@ -46,6 +60,11 @@ typedef struct section_warping {
     double *dw;     // [6][nnode][3] its derivative along z
     mat6 psi, dpsi; // generalized strains: column j for unit wrench j
 } section_warping;
+
+// The same where the pattern turns at turn_rate [rad/m], in the frame that turns with it (3.9);
+// 0 gives section_full_mesh.
+status section_turning_mesh(const mesh *m, const material *materials, double turn_rate,
+                            beam_law *out, section_warping *warping);
 
 // warping may be NULL. relative_error holds the rounding only, by how far the stresses miss the
 // end wrenches, and what that does to K: section_solve adds the mesh's.

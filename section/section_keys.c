@@ -9,6 +9,12 @@ enum { MOST_STATIONS = 1000, MOST_SHAPES = 500 };
 
 #define DEFAULT_TOLERANCE 1e-10
 
+#define FILE_KEY(word, words)                                                                      \
+    {                                                                                              \
+        .name = #word, .kind = KEY_TABLE, .one_of = 1,                                             \
+        .offset = offsetof(section_case, files.word), .table = &word##_keys, .about = words        \
+    }
+
 static const key keys[] = {
     {.name = "model",
      .kind = KEY_CHOICE,
@@ -20,11 +26,29 @@ static const key keys[] = {
          "of the paper"},
     {.name = "shapes",
      .kind = KEY_LIST,
-     .required = true,
+     .one_of = 1,
      .max_count = MOST_SHAPES,
      .offset = offsetof(section_case, shapes),
      .table = &shape_keys,
      .about = "what the section is made of; a later shape lies on top of the earlier ones"},
+    FILE_KEY(png, "an image or a stack of them, one colour one material"),
+    FILE_KEY(msh, "a gmsh mesh, its physical groups the materials"),
+    FILE_KEY(step, "bodies of a STEP file, cut at a plane"),
+    FILE_KEY(dxf, "a drawing, its layers the materials"),
+    FILE_KEY(geo, "a gmsh script; only with --allow-scripts"),
+    {.name = "turn",
+     .kind = KEY_FIELD,
+     .dimension = DIM_ANGLE,
+     .initial = "0",
+     .offset = offsetof(section_case, turn),
+     .about = "turn of the whole section about its origin"},
+    {.name = "scale",
+     .kind = KEY_FIELD,
+     .min = 1e-6,
+     .max = 1e6,
+     .initial = "1",
+     .offset = offsetof(section_case, scale),
+     .about = "scale of all lengths of the section about its origin"},
     {.name = "mesh",
      .kind = KEY_TABLE,
      .offset = offsetof(section_case, mesh),
@@ -50,6 +74,7 @@ static const key keys[] = {
 
 static const section_case initial = {
     .model = MODEL_FULL,
+    .scale = {.value = 1},
     .mesh = {.kind = MESH_AUTO, .order = 4},
     .tolerance = DEFAULT_TOLERANCE, // rods then are good to 1e-11 m
 };
@@ -96,7 +121,7 @@ static status unknown_material(const key_list *materials, const char *name)
                        nearest_words(&near, words));
 }
 
-status section_case_bind(section_case *c, const key_list *materials, mark *where)
+static status bind_shapes(section_case *c, const key_list *materials, mark *where)
 {
     shape_spec *shapes = c->shapes.items;
     bool any = false;
@@ -112,4 +137,24 @@ status section_case_bind(section_case *c, const key_list *materials, mark *where
     }
     *where = c->shapes.at;
     return any ? OK : status_fail(ERR_INPUT, "no shape of the section has a material");
+}
+
+status section_case_bind(section_case *c, const key_list *materials,
+                         const section_surroundings *around, mark *where)
+{
+    const drawing_request request = {
+        .directory = around->directory,
+        .allow_scripts = around->allow_scripts,
+        .nmaterial = materials->count,
+        .materials = materials->items,
+    };
+    *where = c->at;
+    const status st = drawing_open(&c->files, &request, &c->drawing);
+    return st != OK || c->drawing ? st : bind_shapes(c, materials, where);
+}
+
+void section_case_release(section_case *c)
+{
+    drawing_free(c->drawing);
+    c->drawing = NULL;
 }

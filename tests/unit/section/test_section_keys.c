@@ -14,7 +14,7 @@ static status bind(const char *first, const char *second, shape_spec shapes[2], 
     shapes[0] = (shape_spec){.material = {first, {3, 7}}};
     shapes[1] = (shape_spec){.material = {second, {4, 9}}};
     c.shapes = (key_list){.at = {2, 5}, .count = 2, .items = shapes};
-    return section_case_bind(&c, &materials, where);
+    return section_case_bind(&c, &materials, &(section_surroundings){0}, where);
 }
 
 static void names_become_indices(void)

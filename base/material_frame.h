@@ -1,0 +1,20 @@
+// base/material_frame.h
+// Directions of a material's own axes 1 (fibre), 2 and 3 at a point of a section.
+#pragma once
+
+#include "base/dense.h"
+
+#include <stdbool.h>
+
+// Rows of `axes` are the directions 1, 2, 3, orthonormal and right-handed, in the section's axes x,
+// y, z; where `polar`, in the axes at the point: x' along the circle about `centre` through it,
+// counter-clockwise, y' towards the centre, z.
+typedef struct material_frame {
+    bool polar;
+    double centre[2]; // [m]
+    mat3 axes;
+} material_frame;
+
+// 1 = z along the rod, 2 = x, 3 = y, turned by two angles [rad]: plane_angle turns 2 and 3 about 1
+// (from x towards y), then fibre_angle turns 1 and 2 about 3 (the fibre from z towards 2).
+material_frame material_frame_make(double plane_angle, double fibre_angle);

@@ -1,0 +1,86 @@
+// meshes/drawing.c
+#include "meshes/drawing.h"
+
+#include "base/memory.h"
+
+#include <math.h>
+
+struct drawing {
+    const drawing_kind *kind;
+    void *state;
+};
+
+extern const drawing_kind png_drawing, msh_drawing, step_drawing, dxf_drawing, geo_drawing;
+
+static const drawing_kind *kind_of(const drawing_files *f)
+{
+    (void)f;
+    return NULL;
+}
+
+status drawing_open(const drawing_files *files, const drawing_request *request, drawing **out)
+{
+    status st = OK;
+    drawing *d = NULL;
+    *out = NULL;
+    const drawing_kind *kind = kind_of(files);
+    if (!kind) {
+        return OK;
+    }
+    TRY(TAKE(d, 1));
+    d->kind = kind;
+    TRY(kind->open(files, request, &d->state));
+    *out = d;
+    d = NULL;
+
+done:
+    free(d);
+    return st;
+}
+
+void drawing_free(drawing *d)
+{
+    if (d) {
+        d->kind->close(d->state);
+        free(d);
+    }
+}
+
+double drawing_length(const drawing *d)
+{
+    return d->kind->layer ? d->kind->layer(d->state) * drawing_slice_count(d) : 0;
+}
+
+int drawing_slice_count(const drawing *d)
+{
+    return d->kind->slice_count ? d->kind->slice_count(d->state) : 1;
+}
+
+int drawing_slice_at(const drawing *d, double s)
+{
+    const int count = drawing_slice_count(d);
+    const double layer = d->kind->layer ? d->kind->layer(d->state) : 0;
+    if (count == 1 || !(layer > 0)) {
+        return 0;
+    }
+    const int slice = (int)fmin(fmax(floor(s / layer), 0), count - 1);
+    return d->kind->same_as ? d->kind->same_as(d->state, slice) : slice;
+}
+
+status drawing_outline(const drawing *d, section_outline *out, bool *found)
+{
+    *found = d->kind->outline != NULL;
+    return *found ? d->kind->outline(d->state, out) : OK;
+}
+
+status drawing_mesh(const drawing *d, int slice, const mesh_options *options, mesh *out)
+{
+    return d->kind->mesh(d->state, slice, options, out);
+}
+
+status drawing_mesh_coarser(const drawing *d, int slice, const mesh_options *options, mesh *out,
+                            bool *found)
+{
+    *found = d->kind->coarser != NULL;
+    return *found ? d->kind->coarser(d->state, slice, options, out) : OK;
+}
