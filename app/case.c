@@ -125,10 +125,23 @@ static status check_section(case_data *c)
     return OK;
 }
 
+static status bind_materials(case_data *c)
+{
+    status st = OK;
+    material *m = c->file.materials.items;
+    for (int i = 0; i < c->file.materials.count; i++) {
+        TRY(case_place(c, material_bind(&m[i]), m[i].at));
+    }
+
+done:
+    return st;
+}
+
 static status check_parts(case_data *c)
 {
     status st = OK;
     mark where = {0};
+    TRY(bind_materials(c));
     TRY(check_section(c));
     if (case_has_rod(c)) {
         where = c->file.rod.at;

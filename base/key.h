@@ -40,11 +40,13 @@ typedef enum key_kind {
 
 typedef enum dimension {
     DIM_NONE,
-    DIM_LENGTH, // _m _cm _mm _um
-    DIM_ANGLE,  // _rad _deg
-    DIM_FORCE,  // _N _mN
-    DIM_MOMENT, // _Nm _Nmm
-    DIM_STRESS, // _Pa _kPa _MPa _GPa
+    DIM_LENGTH,  // _m _cm _mm _um
+    DIM_ANGLE,   // _rad _deg
+    DIM_FORCE,   // _N _mN
+    DIM_MOMENT,  // _Nm _Nmm
+    DIM_STRESS,  // _Pa _kPa _MPa _GPa
+    DIM_DENSITY, // _kg_per_m3 _g_per_cm3
+    DIM_COUNT,
 } dimension;
 
 typedef struct key_text {

@@ -1,40 +1,12 @@
 // base/material.c
 #include "base/material.h"
 
-static const key keys[] = {
-    {.name = "E",
-     .kind = KEY_REAL,
-     .dimension = DIM_STRESS,
-     .min = 1e-3,
-     .max = 1e16,
-     .required = true,
-     .offset = offsetof(material, E),
-     .about = "Young's modulus"},
-    {.name = "nu",
-     .kind = KEY_REAL,
-     .min = -0.999,
-     .max = 0.4999,
-     .required = true,
-     .offset = offsetof(material, nu),
-     .about = "Poisson's ratio"},
-    {.name = "linear_strain",
-     .kind = KEY_REAL,
-     .min = 1e-9,
-     .max = 10,
-     .offset = offsetof(material, linear_strain),
-     .about =
-         "largest strain at which the material stays close to linear; larger ones are pointed out"},
-};
-
-const key_table material_keys = {
-    .name = "material", .size = sizeof(material), .nkey = sizeof keys / sizeof *keys, .keys = keys};
-
 double material_shear_modulus(const material *m)
 {
     return m->E / (2 * (1 + m->nu));
 }
 
-mat6 material_stiffness(const material *m)
+static mat6 isotropic(const material *m)
 {
     const double G = material_shear_modulus(m);
     const double lambda = m->E * m->nu / ((1 + m->nu) * (1 - 2 * m->nu));
@@ -48,10 +20,24 @@ mat6 material_stiffness(const material *m)
     return Q;
 }
 
-status material_bind(material *m)
+mat6 material_stiffness_along(const material *m, mat3 axes)
 {
-    m->kind = MATERIAL_ISOTROPIC;
-    return OK;
+    return m->kind == MATERIAL_ISOTROPIC
+               ? isotropic(m)
+               : mat6_congruence(material_frame_strain_map(axes), m->in_frame);
+}
+
+mat6 material_stiffness_in(const material *m, const material_frame *frame, double x, double y)
+{
+    return frame && m->kind != MATERIAL_ISOTROPIC
+               ? material_stiffness_along(m, material_frame_axes_at(frame, x, y))
+               : material_stiffness(m);
+}
+
+mat6 material_stiffness(const material *m)
+{
+    static const mat3 unturned = {{{0, 0, 1}, {1, 0, 0}, {0, 1, 0}}}; // 1 = z, 2 = x, 3 = y
+    return material_stiffness_along(m, unturned);
 }
 
 material material_at(const material *m, double s)
@@ -64,10 +50,4 @@ material material_at(const material *m, double s)
 double material_grade(const material *m, double x, double y)
 {
     return m->modulus.at ? place_field_at(&m->modulus, x, y) / m->E : 1;
-}
-
-mat6 material_stiffness_in(const material *m, const material_frame *frame, double x, double y)
-{
-    (void)frame, (void)x, (void)y;
-    return material_stiffness(m);
 }

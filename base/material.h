@@ -34,12 +34,15 @@ typedef struct material {
     double E1, E2, E3, G12, G13, G23, nu12, nu13,
         nu23;           // orthotropic [Pa, -]; nu_ij = -eps_j / eps_i
     key_rows stiffness; // anisotropic: [6][6] in own axes, order 11 22 33 23 13 12 [Pa]
+    mat6 in_frame; // Q along a frame's axes, order 11 22 33 23 13 12, own angles done [Pa]; set by
+                   // material_bind where the kind is not isotropic
 } material;
 
 extern const key_table material_keys; // one entry of `materials`
 
-// Finds the kind, E and nu. ERR_INPUT, with the material's place, where the elastic constants are
-// not positive definite: the message names the inequality that they break.
+// Finds the kind, E, nu and in_frame; once, where the struct is to stay. ERR_INPUT, with the
+// material's place, where the elastic constants are not positive definite: the message names the
+// inequality that they break.
 status material_bind(material *m);
 
 // The same material at arclength s: what is graded along the rod is frozen there.
@@ -61,3 +64,6 @@ mat6 material_stiffness_in(const material *m, const material_frame *frame, doubl
 
 // The same without a frame.
 mat6 material_stiffness(const material *m);
+
+// The same along axes that material_frame_axes_at gave.
+mat6 material_stiffness_along(const material *m, mat3 axes);

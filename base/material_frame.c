@@ -14,3 +14,35 @@ material_frame material_frame_make(double plane_angle, double fibre_angle)
                                 {-s, c, 0},
                             }}};
 }
+
+mat3 material_frame_axes_at(const material_frame *f, double x, double y)
+{
+    if (!f->polar) {
+        return f->axes;
+    }
+    const double dx = x - f->centre[0], dy = y - f->centre[1], r = hypot(dx, dy);
+    const double c = r > 0 ? dx / r : 1, s = r > 0 ? dy / r : 0;
+    mat3 axes;
+    for (int i = 0; i < 3; i++) {
+        const double *a = f->axes.a[i]; // along x' = (-s, c), y' = (-c, -s) and z
+        axes.a[i][0] = -s * a[0] - c * a[1];
+        axes.a[i][1] = c * a[0] - s * a[1];
+        axes.a[i][2] = a[2];
+    }
+    return axes;
+}
+
+mat6 material_frame_strain_map(mat3 axes)
+{
+    static const int pair[6][2] = {{0, 0}, {1, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}};
+    mat6 T;
+    for (int row = 0; row < 6; row++) {
+        const double *p = axes.a[pair[row][0]], *q = axes.a[pair[row][1]];
+        const double engineering = row < 3 ? 1 : 2; // gamma = 2 eps
+        for (int k = 0; k < 6; k++) {
+            const int i = pair[k][0], j = pair[k][1];
+            T.a[row][k] = engineering * (p[i] * q[j] + p[j] * q[i]) / 2;
+        }
+    }
+    return T;
+}

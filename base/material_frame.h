@@ -18,3 +18,11 @@ typedef struct material_frame {
 // 1 = z along the rod, 2 = x, 3 = y, turned by two angles [rad]: plane_angle turns 2 and 3 about 1
 // (from x towards y), then fibre_angle turns 1 and 2 about 3 (the fibre from z towards 2).
 material_frame material_frame_make(double plane_angle, double fibre_angle);
+
+// The directions at a point in the section's axes. At the very centre of a polar frame, those to
+// the right of it.
+mat3 material_frame_axes_at(const material_frame *f, double x, double y);
+
+// T of docs/theory.md (2.8): strains along the rows of `axes` = T strains in x, y, z, either in the
+// order 11 22 33 23 13 12 with engineering shear strains. A stiffness turns back as T^T Q T.
+mat6 material_frame_strain_map(mat3 axes);

@@ -17,6 +17,7 @@ int unit_list(dimension d, const unit **list)
     static const unit force[] = {{"N", 1}, {"mN", 1e-3}};
     static const unit moment[] = {{"Nm", 1}, {"Nmm", 1e-3}};
     static const unit stress[] = {{"MPa", 1e6}, {"kPa", 1e3}, {"Pa", 1}, {"GPa", 1e9}};
+    static const unit density[] = {{"kg_per_m3", 1}, {"g_per_cm3", 1e3}};
     static const struct {
         const unit *list;
         int count;
@@ -27,6 +28,7 @@ int unit_list(dimension d, const unit **list)
         [DIM_FORCE] = {force, sizeof force / sizeof *force},
         [DIM_MOMENT] = {moment, sizeof moment / sizeof *moment},
         [DIM_STRESS] = {stress, sizeof stress / sizeof *stress},
+        [DIM_DENSITY] = {density, sizeof density / sizeof *density},
     };
     *list = all[d].list;
     return all[d].count;
@@ -119,7 +121,7 @@ void key_all_spellings(const key *k, char *words, size_t size)
 
 static bool unit_of_any_kind(const char *name)
 {
-    for (int d = DIM_NONE + 1; d <= DIM_STRESS; d++) {
+    for (int d = DIM_NONE + 1; d < DIM_COUNT; d++) {
         if (find_unit((dimension)d, name)) {
             return true;
         }
@@ -208,14 +210,16 @@ status key_unknown(const config *cfg, const key_table *table, const node *entry)
 
 bool key_same_base(const char *a, const char *b)
 {
-    const char *unit_a = strrchr(a, '_'), *unit_b = strrchr(b, '_');
-    if (!unit_a || !unit_b || unit_a - a != unit_b - b ||
-        strncmp(a, b, (size_t)(unit_a - a)) != 0) {
-        return false;
-    }
-    for (int d = DIM_NONE + 1; d <= DIM_STRESS; d++) {
-        if (find_unit((dimension)d, unit_a + 1) && find_unit((dimension)d, unit_b + 1)) {
-            return true;
+    // units have '_' of their own (kg_per_m3): every one may be where the name ends
+    for (const char *end = strchr(a, '_'); end; end = strchr(end + 1, '_')) {
+        const size_t n = (size_t)(end - a) + 1;
+        if (strncmp(a, b, n) != 0) {
+            return false;
+        }
+        for (int d = DIM_NONE + 1; d < DIM_COUNT; d++) {
+            if (find_unit((dimension)d, a + n) && find_unit((dimension)d, b + n)) {
+                return true;
+            }
         }
     }
     return false;

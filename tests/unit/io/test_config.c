@@ -104,6 +104,7 @@ static void every_unit_has_its_factor(void)
         {DIM_FORCE, 2, {"x_N", "x_mN"}, {1, 1e-3}},
         {DIM_MOMENT, 2, {"x_Nm", "x_Nmm"}, {1, 1e-3}},
         {DIM_STRESS, 4, {"x_MPa", "x_kPa", "x_Pa", "x_GPa"}, {1e6, 1e3, 1, 1e9}},
+        {DIM_DENSITY, 2, {"x_kg_per_m3", "x_g_per_cm3"}, {1, 1e3}},
     };
     for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
         const key k = {.name = "x", .dimension = known[i].kind};
