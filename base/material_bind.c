@@ -105,7 +105,7 @@ static status check_ratio(const material *m, int i, int j, double nu, double Ei,
                                       i, j, i, j, Ei / Ej);
 }
 
-// docs/theory.md (2.9)
+// docs/theory.md (1.9)
 static status check_orthotropic(const material *m)
 {
     status st = OK;

@@ -23,6 +23,6 @@ material_frame material_frame_make(double plane_angle, double fibre_angle);
 // the right of it.
 mat3 material_frame_axes_at(const material_frame *f, double x, double y);
 
-// T of docs/theory.md (2.8): strains along the rows of `axes` = T strains in x, y, z, either in the
+// T of docs/theory.md (1.7): strains along the rows of `axes` = T strains in x, y, z, either in the
 // order 11 22 33 23 13 12 with engineering shear strains. A stiffness turns back as T^T Q T.
 mat6 material_frame_strain_map(mat3 axes);

@@ -5,6 +5,7 @@
 #include "meshes/free.h"
 #include "meshes/grid.h"
 #include "meshes/mapped.h"
+#include "meshes/shape_frame.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -49,6 +50,7 @@ status section_mesh_make(const section_outline *o, const mesh_options *options, 
     }
     TRY(mesh_check_connected(&m, owner, o));
     TRY(mesh_check(&m));
+    TRY(shape_frames_to_mesh(o, owner, &m));
     *out = m;
     m = (mesh){0};
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "base/key.h"
+#include "base/material_frame.h"
 #include "base/status.h"
 
 typedef enum shape_kind {
@@ -49,14 +50,23 @@ typedef struct polygon_spec {
     field centre[2];
 } polygon_spec;
 
+// What the axes of a shape's material are turned from.
+typedef enum shape_axes {
+    SHAPE_AXES_SECTION, // 1 = z, 2 = x, 3 = y
+    SHAPE_AXES_TANGENT, // of rings, sectors and discs 2 goes along the circle about their centre;
+                        // of others it is their own x axis
+} shape_axes;
+
 typedef struct shape_spec {
     mark at;
     ring_spec annulus, sector; // exactly one of the five is given
     disc_spec disc;
     rectangle_spec rectangle;
     polygon_spec polygon;
-    key_text material;  // a name, or "none": the shape cuts a hole into what lies below
-    int material_index; // set by section_case_bind; -1 for none
+    key_text material;              // a name, or "none": the shape cuts a hole into what lies below
+    int material_index;             // set by section_case_bind; -1 for none
+    int axes;                       // shape_axes
+    field fibre_angle, plane_angle; // of the material's axes from those [rad]
 } shape_spec;
 
 extern const key_table shape_keys; // one entry of `section.shapes`
@@ -79,6 +89,8 @@ typedef struct outline {
     int nloop;
     int *loop_start; // [nloop + 1], into point
     double *point;   // [loop_start[nloop]][2]
+    bool has_frame;  // its material's axes are those of `frame`, else the section's own
+    material_frame frame;
 } outline;
 
 typedef struct section_outline {
@@ -103,7 +115,7 @@ bool shapes_vary(shape_list shapes);
 // over the section's size: walls, holes, arcs and edges.
 int section_thinnest_shape(const section_outline *o, double *part);
 
-// Whether b is a turned by *angle about the origin, to `tolerance` times the size. The candidate is
-// b.turn - a.turn.
+// Whether the shapes of b are those of a turned by *angle about the origin, to `tolerance` times
+// the size. The candidate is b.turn - a.turn. It says nothing of the directions of materials.
 bool section_outline_is_turned(const section_outline *a, const section_outline *b, double tolerance,
                                double *angle);

@@ -160,6 +160,27 @@ static const key shape_key_list[] = {
      .required = true,
      .offset = offsetof(shape_spec, material),
      .about = "a name from `materials`; none: the shape cuts a hole into what lies below it"},
+    {.name = "axes",
+     .kind = KEY_CHOICE,
+     .choices = "section|tangent",
+     .initial = "section",
+     .offset = offsetof(shape_spec, axes),
+     .about = "own axes of a directed material; section: 1 = z, 2 = x, 3 = y; tangent: 1 = z, and "
+              "2 follows the circle about the centre of a ring, sector or disc (3 points inwards), "
+              "or is the own x axis of another shape"},
+    {.name = "fibre_angle",
+     .kind = KEY_FIELD,
+     .dimension = DIM_ANGLE,
+     .initial = "0",
+     .offset = offsetof(shape_spec, fibre_angle),
+     .about = "turn of the material's axes 1 and 2 about 3, from 1 towards 2, after plane_angle; "
+              "the material's own angles come on top"},
+    {.name = "plane_angle",
+     .kind = KEY_FIELD,
+     .dimension = DIM_ANGLE,
+     .initial = "0",
+     .offset = offsetof(shape_spec, plane_angle),
+     .about = "turn of the material's axes 2 and 3 about 1, from 2 towards 3"},
 };
 
 const key_table shape_keys = {.name = "shape",

@@ -5,6 +5,7 @@
 #include "meshes/outline.h"
 #include "meshes/outline_turn.h"
 #include "meshes/polygon.h"
+#include "meshes/shape_frame.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -269,6 +270,7 @@ status shapes_at(shape_list shapes, double s, section_outline *out)
     TRY(TAKE(o.items, (size_t)o.count));
     for (int k = 0; k < o.count; k++) {
         TRY(freeze(&shapes.items[k], k, s, &o.items[k]));
+        TRY(shape_frame_freeze(&shapes.items[k], k, s, &o.items[k]));
     }
     TRY(measure(&o));
     o.turn = section_declared_turn(&o);
@@ -317,7 +319,7 @@ bool shapes_vary(shape_list shapes)
             &p->polygon.angle,       &p->polygon.centre[0],
             &p->polygon.centre[1],
         };
-        if (any_varies(sizeof all / sizeof *all, all)) {
+        if (any_varies(sizeof all / sizeof *all, all) || shape_frame_varies(p)) {
             return true;
         }
     }
