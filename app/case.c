@@ -1,6 +1,7 @@
 // app/case.c
 #include "app/case.h"
 
+#include <limits.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -97,19 +98,35 @@ static double last_station(const key_rows *stations)
     return last;
 }
 
+// the folder of the case file, with its last slash; "" where there is none
+static void folder_of(const char *path, char *folder, size_t room)
+{
+    const char *slash = strrchr(path, '/');
+    const size_t length = slash ? (size_t)(slash - path) + 1 : 0;
+    (void)snprintf(folder, room, "%.*s", (int)(length < room ? length : 0), path);
+}
+
 static status check_section(case_data *c)
 {
     const key_rows *stations = &c->file.section.stations;
     mark where = c->file.section.at;
-    const section_surroundings around = {0};
+    char folder[PATH_MAX];
+    folder_of(config_path(c->config), folder, sizeof folder);
+    const section_surroundings around = {
+        .directory = folder[0] ? folder : NULL,
+        .allow_scripts = c->allow_scripts,
+    };
     status st = case_place(
         c, section_case_bind(&c->file.section, &c->file.materials, &around, &where), where);
     if (st != OK) {
         return st;
     }
     const double last = last_station(stations);
+    if (c->length <= 0 && section_own_length(&c->file.section) > 0) {
+        c->length = section_own_length(&c->file.section);
+    }
     if (c->length <= 0) {
-        if (shapes_vary(c->shapes) && last <= 0) {
+        if (section_varies(&c->file.section) && last <= 0) {
             return config_fail(c->config, c->file.section.at,
                                "the section varies along s, but nothing says how far: give "
                                "rod.length, fem.length or section.stations");
@@ -161,14 +178,14 @@ done:
     return st;
 }
 
-status case_open(const char *path, int noverride, const char *const *overrides, case_data *out)
+status case_open(const case_request *request, case_data *out)
 {
     status st = OK;
-    case_data c = {0};
+    case_data c = {.allow_scripts = request->allow_scripts};
     key_table root;
     case_file initial;
 
-    TRY(config_open(path, noverride, overrides, &c.config));
+    TRY(config_open(request->path, request->noverride, request->overrides, &c.config));
     TRY(peek_length(&c, &rod_keys, "rod.length"));
     TRY(peek_length(&c, &segment_keys, "fem.length"));
     if (c.length > 0) {
@@ -176,7 +193,6 @@ status case_open(const char *path, int noverride, const char *const *overrides, 
     }
     case_keys(&root, &initial);
     TRY(config_read(c.config, &root, &c.file));
-    c.shapes = (shape_list){c.file.section.shapes.count, c.file.section.shapes.items};
     c.nmaterial = c.file.materials.count;
     c.materials = c.file.materials.items;
     TRY(check_parts(&c));
@@ -186,6 +202,15 @@ status case_open(const char *path, int noverride, const char *const *overrides, 
 done:
     case_free(&c);
     return st;
+}
+
+status command_case(const command *cmd, case_data *out)
+{
+    return case_open(&(case_request){.path = cmd->argument,
+                                     .noverride = cmd->noverride,
+                                     .overrides = cmd->overrides,
+                                     .allow_scripts = cmd->allow_scripts},
+                     out);
 }
 
 void case_free(case_data *c)

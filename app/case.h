@@ -3,6 +3,7 @@
 // see.
 #pragma once
 
+#include "app/command.h"
 #include "base/material.h"
 #include "fem/segment.h"
 #include "io/config.h"
@@ -24,14 +25,22 @@ typedef struct case_file {
 typedef struct case_data {
     case_file file;
     config *config;
-    double length;     // of the rod, else of the segment, else up to the last station [m]
-    shape_list shapes; // of the section
+    double length; // of the rod, else of the segment, else up to the last station [m]
     int nmaterial;
     const material *materials;
+    bool allow_scripts;
 } case_data;
 
+typedef struct case_request {
+    const char *path;
+    int noverride;
+    const char *const *overrides; // KEY=VALUE
+    bool allow_scripts;           // a `geo:` section may run
+} case_request;
+
 // Reads and checks. Every mistake is ERR_INPUT, "FILE:LINE:COL: error: ...".
-status case_open(const char *path, int noverride, const char *const *overrides, case_data *out);
+status case_open(const case_request *request, case_data *out);
+status command_case(const command *cmd, case_data *out); // the case that a command line names
 void case_free(case_data *c);
 
 bool case_has_rod(const case_data *c);

@@ -85,6 +85,7 @@ status chain_section(const case_data *c, bool mesh, run_result *out)
 {
     status st = OK;
     section_outline outline = {0};
+    bool found = false;
     const section_case *section = &c->file.section;
     st = section_along(section, c->materials, c->length, &out->section);
     TRY(case_place(c, st, section->at));
@@ -92,7 +93,7 @@ status chain_section(const case_data *c, bool mesh, run_result *out)
     out->section_model = section->model;
     if (mesh) {
         const double s = out->section.station[0].s;
-        TRY(case_place(c, shapes_at(c->shapes, s, &outline), section->at));
+        TRY(case_place(c, section_outline_at(section, s, &outline, &found), section->at));
         out->symmetry_turn = outline.has_symmetry ? outline.turn : 0;
         TRY(case_place(c, section_mesh_at(section, s, &out->section_mesh), section->at));
     }

@@ -40,28 +40,18 @@ done:
     return st;
 }
 
-// how far the section reaches from its origin at arclength s
-static status section_reach(const case_data *c, double s, double *reach)
-{
-    section_outline outline = {0};
-    const status st = shapes_at(c->shapes, s, &outline);
-    *reach = outline.size;
-    section_outline_free(&outline);
-    return st;
-}
-
 // curvature along the shape and a bound of the axial strain in the section: |eps| + |kappa| times
 // the section's reach
 static status follow_strain(const case_data *c, const rod *r, int npoint, struct rod_run *run)
 {
     status st = OK;
-    const bool vary = shapes_vary(c->shapes);
+    const bool vary = section_varies(&c->file.section);
     double reach = 0;
     for (int i = 0; i < npoint; i++) {
         vec6 xi;
         TRY(rod_strain_at(r, run->s[i], &xi));
         if (i == 0 || vary) {
-            TRY(section_reach(c, run->s[i], &reach));
+            TRY(section_reach_at(&c->file.section, run->s[i], &reach));
         }
         memcpy(run->curvature[i], &xi.a[3], sizeof run->curvature[i]);
         const double strain = fabs(xi.a[2] - 1) + hypot(xi.a[3], xi.a[4]) * reach;

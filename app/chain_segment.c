@@ -8,15 +8,13 @@
 status chain_plane_mesh(const case_data *c, double s, int order, double size, mesh *out)
 {
     status st = OK;
-    section_outline outline = {0};
-    mesh_options options = c->file.section.mesh;
+    const section_case *section = &c->file.section;
+    mesh_options options = section->mesh;
     options.order = order > 0 ? order : options.order;
     options.size = size > 0 ? size : options.size;
-    TRY(case_place(c, shapes_at(c->shapes, s, &outline), c->file.section.at));
-    TRY(case_place(c, section_mesh_make(&outline, &options, out), c->file.section.at));
+    TRY(case_place(c, section_mesh_with(section, s, &options, out), section->at));
 
 done:
-    section_outline_free(&outline);
     return st;
 }
 
@@ -50,9 +48,10 @@ done:
 static status make_meshes(const case_data *c, run_result *out, int *nlevel, double **level)
 {
     status st = OK;
-    section_outline outline = {0};
-    TRY(case_place(c, shapes_at(c->shapes, c->file.fem.section_at, &outline), c->file.section.at));
-    const segment_case sc = segment_choose(&c->file.fem, outline.size);
+    const section_case *section = &c->file.section;
+    double reach = 0;
+    TRY(case_place(c, section_reach_at(section, c->file.fem.section_at, &reach), section->at));
+    const segment_case sc = segment_choose(&c->file.fem, reach);
     TRY(chain_plane_mesh(c, sc.section_at, sc.order, sc.size, &out->segment_plane));
     TRY(segment_check_size(&sc, out->segment_plane.nnode));
     const extrude_options options = {
@@ -64,7 +63,6 @@ static status make_meshes(const case_data *c, run_result *out, int *nlevel, doub
     *nlevel = sc.layers * sc.order + 1;
 
 done:
-    section_outline_free(&outline);
     return st;
 }
 

@@ -49,7 +49,7 @@ static status do_study(command *cmd, const study *what)
     case_data c = {0};
     run_result r = {0};
 
-    TRY(case_open(cmd->argument, cmd->noverride, cmd->overrides, &c));
+    TRY(command_case(cmd, &c));
     TRY(what->need ? what->need(&c) : OK);
     TRY(save_check(cmd));
     chain_parts parts = what->parts(&c);

@@ -19,7 +19,8 @@ static status write_check(const command *cmd, const case_data *c, FILE *stream)
     if (!cmd->json) {
         const int nrow = c->file.rod.tensions.nrow;
         fprintf(stream, "%s: good: %d material%s, %d shape%s", config_path(c->config), c->nmaterial,
-                plural(c->nmaterial), c->shapes.count, plural(c->shapes.count));
+                plural(c->nmaterial), c->file.section.shapes.count,
+                plural(c->file.section.shapes.count));
         if (case_has_rod(c)) {
             fprintf(stream, ", rod of %g mm with %d tendon%s and %d row%s of tensions",
                     1e3 * c->file.rod.length, ntendon, plural(ntendon), nrow, plural(nrow));
@@ -38,7 +39,7 @@ static status write_check(const command *cmd, const case_data *c, FILE *stream)
     json_text(j, "case", config_path(c->config));
     json_text(j, "title", c->file.title ? c->file.title : "");
     json_integer(j, "materials", c->nmaterial);
-    json_integer(j, "shapes", c->shapes.count);
+    json_integer(j, "shapes", c->file.section.shapes.count);
     json_flag(j, "has_rod", case_has_rod(c));
     json_flag(j, "has_fem", case_has_segment(c));
     json_object_end(j);
@@ -53,7 +54,7 @@ status cmd_check(command *cmd)
     status st = OK;
     case_data c = {0};
     document d = {0};
-    TRY(case_open(cmd->argument, cmd->noverride, cmd->overrides, &c));
+    TRY(command_case(cmd, &c));
     // free meshes take a library's start: one is enough
     for (int i = 0; i <= 2; i++) {
         st = section_check(&c.file.section, c.materials, 0.5 * i * c.length, i == 0);

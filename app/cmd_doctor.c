@@ -53,7 +53,7 @@ static status try_case(patient *p)
     status st = OK;
     char path[MAX_PATH + 16];
     TRY(write_case(p, path, sizeof path));
-    TRY(case_open(path, 0, NULL, &p->c));
+    TRY(case_open(&(case_request){.path = path}, &p->c));
     TRY(chain_about(p->cmd, &p->c, &p->r));
 
 done:
@@ -69,15 +69,12 @@ static status try_section(patient *p)
 static status try_free_mesh(patient *p)
 {
     status st = OK;
-    section_outline outline = {0};
     mesh m = {0};
     const mesh_options options = {.kind = MESH_FREE, .order = 2};
-    TRY(shapes_at(p->c.shapes, 0, &outline));
-    TRY(section_mesh_make(&outline, &options, &m));
+    TRY(section_mesh_with(&p->c.file.section, 0, &options, &m));
 
 done:
     mesh_free(&m);
-    section_outline_free(&outline);
     return st;
 }
 

@@ -20,6 +20,7 @@ typedef enum option_id {
     OPTION_QUIET,
     OPTION_LINES,
     OPTION_MARKDOWN,
+    OPTION_ALLOW_SCRIPTS,
     OPTION_HELP,
     OPTION_VERSION,
     OPTION_COUNT
@@ -39,6 +40,8 @@ static const option options[OPTION_COUNT] = {
     {"--quiet", NULL, "no progress and no hints on stderr", NULL},
     {"--lines", "N", "at most N lines of summary (run, report)", "run, report"},
     {"--markdown", NULL, "the key reference as Markdown (schema)", "schema"},
+    {"--allow-scripts", NULL, "let a `geo:` section run its gmsh script, which may run programs",
+     NULL},
     {"--help", NULL, "this help, or that of a command", NULL},
     {"--version", NULL, "the program's version", NULL},
 };
@@ -125,6 +128,7 @@ static void take_flag(command *cmd, int id)
     cmd->force = cmd->force || id == OPTION_FORCE;
     cmd->quiet = cmd->quiet || id == OPTION_QUIET;
     cmd->markdown = cmd->markdown || id == OPTION_MARKDOWN;
+    cmd->allow_scripts = cmd->allow_scripts || id == OPTION_ALLOW_SCRIPTS;
     cmd->help = cmd->help || id == OPTION_HELP;
     cmd->version = cmd->version || id == OPTION_VERSION;
 }

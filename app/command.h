@@ -24,7 +24,7 @@ typedef struct subcommand {
 struct command {
     const subcommand *sub; // NULL: only --help or --version was asked for
     const char *argument;  // NULL where none was given
-    bool json, force, quiet, markdown, help, version;
+    bool json, force, quiet, markdown, help, version, allow_scripts;
     const char *out; // --out DIR; NULL: nothing is written
     int noverride;
     const char *overrides[COMMAND_MAX_OVERRIDES]; // KEY=VALUE, as given

@@ -70,7 +70,7 @@ status compare_frames(const case_data *c, run_result *r)
     status st = OK;
     const rod_case *rc = &c->file.rod;
     const law_along *along = &r->section.along;
-    const bool exact = !r->section.meshed || along->npanel * along->nnode == 1;
+    const bool exact = !r->section.effort.meshed || along->npanel * along->nnode == 1;
     double largest = 0;
     compare_row *row =
         compare_add(r, "nm", "rod: largest distance, NC frame to GC frame (of length)");

@@ -115,10 +115,11 @@ status compare_closed_forms(const case_data *c, const compare_section *section, 
     beam_law closed, meshed;
     beam_centres a, b;
     annulus_two_materials annulus;
-    bool done = false;
+    bool done = false, found = false;
     compare_classical(section, r);
-    TRY(case_place(c, shapes_at(c->shapes, section->s, &outline), c->file.section.at));
-    TRY(section_classical_closed(&outline, c->materials, &closed, &done));
+    const section_case *of = &c->file.section;
+    TRY(case_place(c, section_outline_at(of, section->s, &outline, &found), of->at));
+    TRY(found ? section_classical_closed(&outline, c->materials, &closed, &done) : OK);
     if (!done) {
         compare_skip(compare_add(r, "-", "section: mesh against closed forms"),
                      "no closed form covers these shapes");

@@ -192,7 +192,7 @@ status getdp_torsion(const mesh *plane, int nmaterial, const material *materials
     mesh lower = {0};
     interrupt_hold(); // so that the directory does not stay behind
     if (plane->order > 2) {
-        TRY(mesh_lower_order(plane, 2, &lower));
+        TRY(mesh_of_order(plane, 2, &lower));
     }
     TRY(make_directory(directory, sizeof directory));
     TRY(write_files(directory, lower.nnode ? &lower : plane, nmaterial, materials));

@@ -35,11 +35,7 @@ static void warn_at(const command *cmd, const case_data *c, mark at, const char 
 
 static status section_reach(const case_data *c, double s, double *reach)
 {
-    section_outline outline = {0};
-    const status st = case_place(c, shapes_at(c->shapes, s, &outline), c->file.section.at);
-    *reach = outline.size;
-    section_outline_free(&outline);
-    return st;
+    return case_place(c, section_reach_at(&c->file.section, s, reach), c->file.section.at);
 }
 
 static double tendon_distance(const tendon_spec *t, double s)

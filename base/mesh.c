@@ -107,7 +107,7 @@ int mesh_element_count(const mesh *m)
     return n;
 }
 
-// --- lower order
+// --- another order
 // -----------------------------------------------------------------------------------------------------
 
 // A node of the lower element lies on a vertex, an edge, a face or inside. Two elements share it
@@ -144,7 +144,7 @@ static status pool_add(node_pool *pool, int carrier, const double *x, int *index
     return OK;
 }
 
-static status lower_block(node_pool *pool, const mesh_block *from, int from_order, int order,
+static status block_of_order(node_pool *pool, const mesh_block *from, int from_order, int order,
                           mesh_block *to)
 {
     status st = OK;
@@ -185,14 +185,14 @@ static double mesh_extent(const mesh *m)
     return extent;
 }
 
-status mesh_lower_order(const mesh *in, int order, mesh *out)
+status mesh_of_order(const mesh *in, int order, mesh *out)
 {
     status st = OK;
     mesh m = {0};
     node_pool pool = {.in = in, .merge = MERGE_RELATIVE * mesh_extent(in)};
 
-    if (order < 1 || order > in->order) {
-        TRY(status_fail(ERR_BUG, "order %d is not lower than %d", order, in->order));
+    if (order < 1 || order > ELEMENT_MAX_ORDER) {
+        TRY(status_fail(ERR_BUG, "order %d is not 1 to %d", order, ELEMENT_MAX_ORDER));
     }
     if (order == in->order) {
         return mesh_copy(in, out);
@@ -208,7 +208,7 @@ status mesh_lower_order(const mesh *in, int order, mesh *out)
     memset(pool.first, 0xff, (size_t)in->nnode * sizeof *pool.first);
     TRY(make_like(in, order, 1, &m));
     for (int b = 0; b < in->nblock; b++) {
-        TRY(lower_block(&pool, &in->block[b], in->order, order, &m.block[b]));
+        TRY(block_of_order(&pool, &in->block[b], in->order, order, &m.block[b]));
     }
     free(m.xyz);
     m.xyz = pool.xyz;

@@ -41,9 +41,9 @@ status mesh_take_frames(mesh *m, int nframe);
 
 int mesh_element_count(const mesh *m);
 
-// The same plane or solid geometry at a lower order (nodes evaluated from the higher one): for
-// error estimates.
-status mesh_lower_order(const mesh *in, int order, mesh *out);
+// The same plane or solid geometry at another order, nodes evaluated from the given ones: a lower one
+// for error estimates, a higher one of the same shapes (no rounder).
+status mesh_of_order(const mesh *in, int order, mesh *out);
 
 // The smallest det J over all quadrature points and nodes of each element, divided by that
 // element's mean det J: 1 for a parallelogram, <= 0 for an inverted element.

@@ -85,7 +85,7 @@ status column_lower(const column *c, int order, mesh *plane, column *out)
     double *level = NULL;
     const int nlevel = c->nlayer * order + 1;
 
-    TRY(mesh_lower_order(c->plane, order, plane));
+    TRY(mesh_of_order(c->plane, order, plane));
     TRY(element_make(SHAPE_LINE, order, &line));
     TRY(TAKE(level, (size_t)nlevel));
     for (int i = 0; i < nlevel; i++) {

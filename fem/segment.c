@@ -291,7 +291,7 @@ status segment_section_law(const mesh *plane, const material *materials, beam_la
     TRY(section_law_solve(door, plane, materials, &end_effect, &law));
     law.relative_error = 1;
     if (plane->order > 1) {
-        TRY(mesh_lower_order(plane, plane->order - 1, &lower));
+        TRY(mesh_of_order(plane, plane->order - 1, &lower));
         TRY(mesh_min_jacobian(&lower, &jacobian));
     }
     if (jacobian > 0) {

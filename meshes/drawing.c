@@ -8,6 +8,7 @@
 struct drawing {
     const drawing_kind *kind;
     void *state;
+    double reach; // once it was asked for
 };
 
 extern const drawing_kind png_drawing, msh_drawing, step_drawing, dxf_drawing, geo_drawing;
@@ -71,6 +72,29 @@ status drawing_outline(const drawing *d, section_outline *out, bool *found)
 {
     *found = d->kind->outline != NULL;
     return *found ? d->kind->outline(d->state, out) : OK;
+}
+
+status drawing_reach(drawing *d, double *reach)
+{
+    status st = OK;
+    mesh m = {0};
+    section_outline o = {0};
+    const mesh_options coarse = {.kind = MESH_AUTO, .order = 1};
+    if (!(d->reach > 0) && d->kind->outline) {
+        TRY(d->kind->outline(d->state, &o));
+        d->reach = o.size;
+    } else if (!(d->reach > 0)) {
+        TRY(d->kind->mesh(d->state, 0, &coarse, &m));
+        for (int i = 0; i < m.nnode; i++) {
+            d->reach = fmax(d->reach, hypot(m.xyz[3 * i], m.xyz[3 * i + 1]));
+        }
+    }
+    *reach = d->reach;
+
+done:
+    mesh_free(&m);
+    section_outline_free(&o);
+    return st;
 }
 
 status drawing_mesh(const drawing *d, int slice, const mesh_options *options, mesh *out)

@@ -93,6 +93,9 @@ int drawing_slice_at(const drawing *d, double s);
 // Outlines instead of a mesh: dxf. *found false for the others.
 status drawing_outline(const drawing *d, section_outline *out, bool *found);
 
+// How far its first slice reaches from the origin [m]; meshed once for it where need be.
+status drawing_reach(drawing *d, double *reach);
+
 // A mesh of one slice. The options' order and size hold where the file is not itself a mesh.
 status drawing_mesh(const drawing *d, int slice, const mesh_options *options, mesh *out);
 

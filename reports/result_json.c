@@ -51,7 +51,7 @@ status result_json_section(json *j, const char *key, const run_result *r)
 {
     begin(j, key, "stiffaxis/section/1", r);
     json_text(j, "model", model_names[r->section_model]);
-    json_integer(j, "sections_solved", r->section.nsolved);
+    json_integer(j, "sections_solved", r->section.effort.nsolved);
     json_real(j, "interpolation_relative_error", r->section.along.relative_error);
     json_array(j, "stations");
     for (int i = 0; i < r->section.nstation; i++) {

@@ -3,6 +3,7 @@
 #include "base/memory.h"
 #include "section/reuse.h"
 #include "section/section.h"
+#include "section/stack.h"
 
 #include <math.h>
 #include <string.h>
@@ -30,10 +31,11 @@ static status fill(section_store *store, law_along *along)
     for (int k = 0; k < along->npanel; k++) {
         for (int i = 0; i < along->nnode; i++) {
             const int node = k * along->nnode + i;
-            bool symmetric = false;
-            TRY(section_store_law(store, law_along_node(along, k, i), &along->law[node],
-                                  &along->turn[node], &symmetric));
-            all = all && symmetric;
+            section_place p = {0};
+            TRY(section_store_law(store, law_along_node(along, k, i), &along->law[node], &p));
+            along->turn[node] = p.turn;
+            all = all && p.has_symmetry;
+            section_place_free(&p);
         }
     }
     along->symmetric = all;
@@ -84,16 +86,16 @@ static status probe(section_store *store, const law_along *along, int panel, dou
 {
     status st = OK;
     beam_law law = {0};
-    double turn = 0;
-    bool symmetric = false;
+    section_place p = {0};
     const double a = along->edge[panel], b = along->edge[panel + 1];
     const double s = a + probe_place * (b - a);
-    TRY(section_store_law(store, s, &law, &turn, &symmetric));
+    TRY(section_store_law(store, s, &law, &p));
     mat6 K;
     law_along_at(along, s, &K, NULL);
-    *miss = mat6_relative_error(K, beam_law_move(law.K, 0, 0, -turn));
+    *miss = mat6_relative_error(K, beam_law_move(law.K, 0, 0, -p.turn));
 
 done:
+    section_place_free(&p);
     return st;
 }
 
@@ -120,7 +122,31 @@ static void keep_worst(judgement *worst, double error, double allowed, int panel
     }
 }
 
-static status judge(section_store *store, law_along *along, double tolerance, judgement *worst)
+// The nodes of a layout lie among those of the next one with the same panels: what the coarser
+// interpolant misses at the new ones is known without another section. Where it misses no more than
+// its coefficients promise, they are believed.
+static bool confirmed(const law_along *coarse, const law_along *fine, double allowed)
+{
+    if (coarse->npanel != fine->npanel || fine->nnode != 2 * coarse->nnode - 1) {
+        return false;
+    }
+    const double promised = fmax(coarse->relative_error, allowed);
+    for (int k = 0; k < fine->npanel; k++) {
+        for (int i = 1; i < fine->nnode; i += 2) {
+            const int node = k * fine->nnode + i;
+            mat6 K;
+            law_along_at(coarse, law_along_node(fine, k, i), &K, NULL);
+            const mat6 seen = beam_law_move(fine->law[node].K, 0, 0, -fine->turn[node]);
+            if (!(mat6_relative_error(K, seen) <= probe_slack * promised)) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+static status judge(section_store *store, const law_along *coarse, law_along *along,
+                    double tolerance, judgement *worst)
 {
     status st = OK;
     const double allowed = reachable(store, along, tolerance);
@@ -132,7 +158,8 @@ static status judge(section_store *store, law_along *along, double tolerance, ju
         keep_worst(worst, turn, tolerance, k);
         along->relative_error = fmax(along->relative_error, fmax(stiffness, turn));
     }
-    for (int k = 0; k < along->npanel && worst->ratio <= 1; k++) {
+    const bool believed = worst->ratio <= 1 && confirmed(coarse, along, allowed);
+    for (int k = 0; k < along->npanel && worst->ratio <= 1 && !believed; k++) {
         double miss = 0;
         TRY(probe(store, along, k, &miss));
         keep_worst(worst, miss, probe_slack * allowed, k);
@@ -155,13 +182,15 @@ done:
 static status interpolate(section_store *store, double length, double tolerance, law_along *out)
 {
     status st = OK;
-    law_along along = {0};
+    law_along along = {0}, coarse = {0};
     judgement j = {0};
     for (int k = 0; k < NLAYOUT; k++) {
-        law_along_free(&along);
+        law_along_free(&coarse);
+        coarse = along;
+        along = (law_along){0};
         TRY(law_along_make(length, layouts[k].npanel, layouts[k].nnode, &along));
         TRY(fill(store, &along));
-        TRY(judge(store, &along, tolerance, &j));
+        TRY(judge(store, &coarse, &along, tolerance, &j));
         if (j.ratio <= 1) {
             *out = along;
             along = (law_along){0};
@@ -177,6 +206,7 @@ static status interpolate(section_store *store, double length, double tolerance,
 
 done:
     law_along_free(&along);
+    law_along_free(&coarse);
     return st;
 }
 
@@ -193,23 +223,24 @@ static status add_station(section_store *store, double s, axis_memory *axis, sec
 {
     status st = OK;
     section_station *new = &r->station[r->nstation];
-    double turn = 0;
-    bool symmetric = false;
+    section_place p = {0};
     new->s = s;
-    TRY(section_store_law(store, s, &new->law, &turn, &symmetric));
-    new->law.K = beam_law_move(new->law.K, 0, 0, -turn);
-    if (symmetric) {
-        TRY(beam_law_centres_near(&new->law, turn, &new->centres));
+    TRY(section_store_law(store, s, &new->law, &p));
+    new->turn_rate = p.turn_rate;
+    new->law.K = beam_law_move(new->law.K, 0, 0, -p.turn);
+    if (p.has_symmetry) {
+        TRY(beam_law_centres_near(&new->law, p.turn, &new->centres));
     } else if (axis->begun) {
-        const double near = axis->angle + turn - axis->turn;
+        const double near = axis->angle + p.turn - axis->turn;
         TRY(beam_law_centres_near(&new->law, near, &new->centres));
     } else {
         TRY(beam_law_centres(&new->law, &new->centres));
     }
-    *axis = (axis_memory){true, new->centres.principal_angle, turn};
+    *axis = (axis_memory){true, new->centres.principal_angle, p.turn};
     r->nstation++;
 
 done:
+    section_place_free(&p);
     return st;
 }
 
@@ -242,11 +273,15 @@ static status own_stations(section_store *store, section_result *r)
     status st = OK;
     axis_memory axis = {0};
     const law_along *along = &r->along;
+    if (along->npanel * along->nnode == 1) {
+        TRY(TAKE(r->station, 1));
+        return add_station(store, 0, &axis, r);
+    }
     TRY(TAKE(r->station, (size_t)along->npanel * (size_t)along->nnode));
     for (int k = 0; k < along->npanel; k++) {
         // panels share their ends
-        for (int i = k > 0; i < along->nnode; i++) {
-            TRY(add_station(store, along->nnode > 1 ? law_along_node(along, k, i) : 0, &axis, r));
+        for (int i = k > 0 && along->nnode > 1; i < along->nnode; i++) {
+            TRY(add_station(store, law_along_node(along, k, i), &axis, r));
         }
     }
 
@@ -259,15 +294,18 @@ status section_along(const section_case *c, const material *materials, double le
 {
     status st = OK;
     section_result r = {0};
-    section_store store = {.request = c, .materials = materials};
-    const shape_list shapes = {.count = c->shapes.count, .items = c->shapes.items};
-
-    TRY(shapes_vary(shapes) ? interpolate(&store, length, c->tolerance, &r.along)
-                            : one_station(&store, length, &r.along));
+    section_store store = {0};
+    TRY(section_store_make(c, materials, length, &store));
+    if (section_own_length(c) > 0) {
+        TRY(stack_laws(&store, length, &r.along));
+    } else {
+        TRY(section_varies(c) || store.traits.along
+                ? interpolate(&store, length, c->tolerance, &r.along)
+                : one_station(&store, length, &r.along));
+    }
     TRY(c->stations.nrow > 0 ? asked_stations(&store, &c->stations, length, &r)
                              : own_stations(&store, &r));
-    r.nsolved = store.count;
-    r.meshed = store.meshed;
+    r.effort = store.effort;
     *out = r;
     r = (section_result){0};
 

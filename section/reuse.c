@@ -2,19 +2,51 @@
 #include "section/reuse.h"
 
 #include "base/memory.h"
+#include "meshes/outline_move.h"
 #include "section/solve.h"
+
+#include <math.h>
+#include <string.h>
 
 // outlines nearer than this part of their size are one: contrast times this stays below 1e-10 of K
 static const double same_outline = 1e-12;
+// The rates of two turning patterns may differ by this, in radians per section size: K follows a
+// rate's change by about as much.
+static const double same_rate = 1e-11;
+
+static material_traits traits_of(int count, const material *materials)
+{
+    material_traits t = {0};
+    for (int i = 0; i < count; i++) {
+        t.along = t.along || (materials[i].modulus.at && materials[i].modulus.along);
+        t.across = t.across || material_is_graded(&materials[i]);
+        t.anisotropic = t.anisotropic || materials[i].kind != MATERIAL_ISOTROPIC;
+    }
+    return t;
+}
+
+status section_store_make(const section_case *c, const material *materials, double length,
+                          section_store *out)
+{
+    status st = OK;
+    *out = (section_store){.request = c, .materials = materials, .length = length};
+    out->traits = traits_of(c->nmaterial, materials);
+    if (out->traits.along) {
+        TRY(TAKE(out->frozen, (size_t)c->nmaterial));
+    }
+
+done:
+    return st;
+}
 
 void section_store_free(section_store *store)
 {
     for (int i = 0; i < store->count; i++) {
-        section_outline_free(&store->solved[i].outline);
+        section_place_free(&store->solved[i].place);
     }
     free(store->solved);
-    store->solved = NULL;
-    store->count = store->capacity = 0;
+    free(store->frozen);
+    *store = (section_store){0};
 }
 
 static status make_room(section_store *store)
@@ -37,51 +69,180 @@ done:
     return st;
 }
 
-static const solved_section *find(const section_store *store, const section_outline *o)
+// --- likeness
+
+// b is a, mirrored if need be (y -> -y), scaled, and turned by b.turn - a.turn.
+typedef struct likeness {
+    double scale;
+    bool mirror;
+} likeness;
+
+static bool rates_agree(const section_place *a, const section_place *b, const likeness *k,
+                        double size)
 {
-    for (int i = 0; i < store->count; i++) {
-        double angle = 0;
-        if (section_outline_is_turned(&store->solved[i].outline, o, same_outline, &angle)) {
-            return &store->solved[i];
-        }
-    }
-    return NULL;
+    const double known = k->mirror ? -a->turn_rate : a->turn_rate;
+    return fabs(b->turn_rate * k->scale - known) * size <= same_rate;
 }
 
-static status solve_new(section_store *store, section_outline *o)
+static status is_moved(const section_outline *a, const section_outline *b, const likeness *k,
+                       bool *alike)
 {
     status st = OK;
-    solved_section new = {0};
-    bool meshed = false;
-    TRY(make_room(store));
-    TRY(section_solve_outline(store->request, store->materials, o, &new.turned, &meshed));
-    new.turned.K = beam_law_move(new.turned.K, 0, 0, o->turn);
-    new.outline = *o; // ownership passes
-    *o = (section_outline){0};
-    store->meshed = store->meshed || meshed;
-    store->solved[store->count++] = new;
+    section_outline moved = {0};
+    double angle = 0;
+    const outline_motion motion = {.mirror = k->mirror, .scale = k->scale};
+    TRY(section_outline_copy(a, &moved));
+    section_outline_move(&moved, &motion);
+    *alike = section_outline_is_turned(&moved, b, same_outline, &angle);
+
+done:
+    section_outline_free(&moved);
+    return st;
+}
+
+static status is_like_outline(const section_store *store, const section_outline *a,
+                              const section_outline *b, likeness *k, bool *alike)
+{
+    status st = OK;
+    double angle = 0;
+    *k = (likeness){.scale = 1};
+    *alike = section_outline_is_turned(a, b, same_outline, &angle) &&
+             (!store->traits.across || angle == 0);
+    if (*alike || store->traits.across || a->count != b->count) {
+        return OK;
+    }
+    k->scale = b->size / a->size;
+    TRY(is_moved(a, b, k, alike));
+    if (!*alike && !store->traits.anisotropic) {
+        k->mirror = true;
+        TRY(is_moved(a, b, k, alike));
+    }
 
 done:
     return st;
 }
 
-status section_store_law(section_store *store, double s, beam_law *turned, double *turn,
-                         bool *has_symmetry)
+static status is_like(const section_store *store, const section_place *a, const section_place *b,
+                      likeness *k, bool *alike)
 {
     status st = OK;
-    section_outline o = {0};
-    const key_list *shapes = &store->request->shapes;
-    TRY(shapes_at((shape_list){.count = shapes->count, .items = shapes->items}, s, &o));
-    *turn = o.turn;
-    *has_symmetry = o.has_symmetry;
-    const solved_section *found = find(store, &o);
-    if (!found) {
-        TRY(solve_new(store, &o));
-        found = &store->solved[store->count - 1];
+    *alike = false;
+    if (a->drawn != b->drawn || (store->traits.along && a->s != b->s)) {
+        return OK;
     }
-    *turned = found->turned;
+    if (a->drawn) {
+        TRY(is_like_outline(store, &a->outline, &b->outline, k, alike));
+        *alike = *alike && rates_agree(a, b, k, a->outline.size);
+        return OK;
+    }
+    *k = (likeness){.scale = b->scale / a->scale};
+    double reach = 0;
+    TRY(drawing_reach(store->request->drawing, &reach));
+    *alike = a->slice == b->slice && rates_agree(a, b, k, reach) &&
+             (!store->traits.across || (a->turn == b->turn && k->scale == 1));
 
 done:
-    section_outline_free(&o);
+    return st;
+}
+
+// K of b from K of a, both in frames that are turned with their patterns: lengths scale, and in a
+// mirror y -> -y the strains gamma_y, kappa_x and tau change their signs.
+static mat6 carried(mat6 K, const likeness *k)
+{
+    const double sign = k->mirror ? -1 : 1, a = k->scale;
+    const double factor[6] = {a, sign * a, a, sign * a * a, a * a, sign * a * a};
+    for (int i = 0; i < 36; i++) {
+        K.a[i / 6][i % 6] *= factor[i / 6] * factor[i % 6];
+    }
+    return K;
+}
+
+static void count_reuse(section_effort *effort, const section_place *a, const section_place *b,
+                        const likeness *k)
+{
+    if (k->mirror) {
+        effort->nmirrored++;
+    } else if (k->scale != 1) {
+        effort->nscaled++;
+    } else if (a->turn != b->turn) {
+        effort->nturned++;
+    } else {
+        effort->nsame++;
+    }
+}
+
+static status find(section_store *store, const section_place *p, beam_law *turned, bool *found)
+{
+    status st = OK;
+    *found = false;
+    for (int i = 0; i < store->count && !*found; i++) {
+        const solved_section *known = &store->solved[i];
+        likeness k = {0};
+        TRY(is_like(store, &known->place, p, &k, found));
+        if (*found) {
+            *turned = known->turned;
+            turned->K = carried(turned->K, &k);
+            turned->area *= k.scale * k.scale;
+            count_reuse(&store->effort, &known->place, p, &k);
+        }
+    }
+
+done:
+    return st;
+}
+
+// --- new ones
+
+static const material *materials_at(section_store *store, double s)
+{
+    for (int i = 0; store->frozen && i < store->request->nmaterial; i++) {
+        store->frozen[i] = material_at(&store->materials[i], s);
+    }
+    return store->frozen ? store->frozen : store->materials;
+}
+
+static status solve_new(section_store *store, section_place *p, beam_law *turned)
+{
+    status st = OK;
+    bool meshed = false;
+    TRY(make_room(store));
+    TRY(section_solve_place(store->request, materials_at(store, p->s), p, turned, &meshed));
+    turned->K = beam_law_move(turned->K, 0, 0, p->turn);
+    store->effort.meshed = store->effort.meshed || meshed;
+    store->effort.nsolved++;
+
+    solved_section *new = &store->solved[store->count];
+    *new = (solved_section){.place = *p, .turned = *turned};
+    TRY(section_outline_copy(&p->outline, &new->place.outline));
+    store->count++;
+
+done:
+    return st;
+}
+
+status section_store_law(section_store *store, double s, beam_law *turned, section_place *place)
+{
+    status st = OK;
+    section_place p = {0};
+    bool found = false;
+    TRY(section_place_at(store->request, s, store->length, &p));
+    if (store->request->model == MODEL_CLASSICAL) {
+        p.turn_rate = 0;
+        p.uneven = false;
+    } else if (store->traits.across && p.turn_rate != 0) {
+        // what is graded over x and y stands still while the outlines turn
+        p.turn_rate = 0;
+        p.uneven = true;
+    }
+    store->effort.uneven = store->effort.uneven || p.uneven;
+    TRY(find(store, &p, turned, &found));
+    if (!found) {
+        TRY(solve_new(store, &p, turned));
+    }
+    *place = p;
+    p = (section_place){0};
+
+done:
+    section_place_free(&p);
     return st;
 }

@@ -1,23 +1,35 @@
 // section/reuse.h
-// Sections already solved along a rod: the same outlines, turned or not, are solved once.
+// Sections already solved along a rod: the same section, turned, scaled or mirrored, is solved
+// once.
 #pragma once
 
-#include "section/section.h"
+#include "section/place.h"
 
 typedef struct solved_section {
-    section_outline outline;
-    beam_law turned; // in the frame that is turned by outline.turn
+    section_place place;
+    beam_law turned; // in the frame that is turned by place.turn
 } solved_section;
+
+// What all materials of a case allow.
+typedef struct material_traits {
+    bool along, across; // graded: E over s; E over x and y
+    bool anisotropic;
+} material_traits;
 
 typedef struct section_store {
     const section_case *request;
-    const material *materials;
+    const material *materials; // [request->nmaterial]
+    double length;             // of the rod [m]
+    material_traits traits;
+    material *frozen; // the materials at the place at hand; NULL where none is graded along s
     int count, capacity;
     solved_section *solved;
-    bool meshed;
+    section_effort effort;
 } section_store;
 
-// The law at s in the frame turned by *turn, solved or found.
-status section_store_law(section_store *store, double s, beam_law *turned, double *turn,
-                         bool *has_symmetry);
+status section_store_make(const section_case *c, const material *materials, double length,
+                          section_store *out);
 void section_store_free(section_store *store);
+
+// The law at s in the frame turned by place->turn, solved or found; the caller frees *place.
+status section_store_law(section_store *store, double s, beam_law *turned, section_place *place);

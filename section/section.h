@@ -19,11 +19,14 @@ typedef struct section_case {
     drawing_files files; // png, msh, step, dxf, geo
     field turn;          // of the whole section about its origin [rad], beside what the shapes say
     field scale;         // of all its lengths about its origin
+    field pattern_turn;  // of what the slices of a stack show [rad]; only its rate matters
     mesh_options mesh;
     key_rows stations; // arclengths that the user asks for, `stations_mm: [[...]]`; empty: chosen
     double tolerance;  // of K, relative, along s too
     key_list wrenches; // of section_wrench: what stresses are asked for
-    drawing *drawing;  // the open file, by section_case_bind; NULL: shapes
+    // by section_case_bind
+    int nmaterial;
+    drawing *drawing; // the open file; NULL: shapes
 } section_case;
 
 extern const key_table section_keys; // `section`
@@ -74,7 +77,10 @@ void section_warping_free(section_warping *w);
 
 // K at one place by the case's model, with its error estimate (full and meshed classical: lower
 // orders of the same mesh, extrapolated; closed form: rounding).
-status section_solve(const section_case *c, const material *materials, double s, beam_law *out);
+// A pattern that turns does so at the rate that it has on a rod of this length; 0: as if nothing
+// turned.
+status section_solve(const section_case *c, const material *materials, double s, double length,
+                     beam_law *out);
 
 // The paper's closed forms for the two-material annulus, corrected Eq. 18 to 20 of the paper,
 // docs/theory.md (2.6).
@@ -91,9 +97,19 @@ annulus_closed_form annulus_closed(const annulus_two_materials *a);
 // --- along the rod
 // -------------------------------------------------------------------------------------------------
 
+// How many sections were solved, and why no more.
+typedef struct section_effort {
+    int nsolved;
+    int nsame, nturned, nscaled, nmirrored; // found among the solved ones, by what they are of them
+    int nstored;                            // found in an earlier run's result
+    bool meshed;                            // false: closed form, no mesh was made
+    bool uneven; // shapes turn at different rates somewhere: their K is as if nothing turned
+} section_effort;
+
 typedef struct section_station {
-    double s;     // [m]
-    beam_law law; // in the body frame at s
+    double s;         // [m]
+    double turn_rate; // of the pattern, that K knows [rad/m]
+    beam_law law;     // in the body frame at s
     beam_centres centres;
 } section_station;
 
@@ -102,8 +118,7 @@ typedef struct section_result {
     section_station
         *station;    // the user's stations, else the interpolation's own nodes in order of s
     law_along along; // K(s) over [0, length]
-    int nsolved;     // sections really solved: turned copies reuse theirs
-    bool meshed;     // false: closed form, no mesh was made
+    section_effort effort;
 } section_result;
 
 // length: the rod's (or the segment's where there is no rod). Chooses stations by the decay of
@@ -117,5 +132,16 @@ void section_result_free(section_result *r);
 // and the mesh where one is needed. libraries false: not where the mesh would start one.
 status section_check(const section_case *c, const material *materials, double s, bool libraries);
 
-// The mesh at arclength s, for pictures and the segment.
+// The mesh at arclength s, for pictures and the segment; section_mesh_with: by other options than
+// the case's.
 status section_mesh_at(const section_case *c, double s, mesh *out);
+status section_mesh_with(const section_case *c, double s, const mesh_options *options, mesh *out);
+
+// Whether anything of it depends on s.
+bool section_varies(const section_case *c);
+// A stack's thickness, all in all [m]; 0 for the others.
+double section_own_length(const section_case *c);
+// The outlines in the body frame at s; *found false where its file holds none (meshes, images).
+status section_outline_at(const section_case *c, double s, section_outline *out, bool *found);
+// How far it reaches from its origin [m]; of a stack its first slice.
+status section_reach_at(const section_case *c, double s, double *reach);

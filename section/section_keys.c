@@ -49,6 +49,13 @@ static const key keys[] = {
      .initial = "1",
      .offset = offsetof(section_case, scale),
      .about = "scale of all lengths of the section about its origin"},
+    {.name = "pattern_turn",
+     .kind = KEY_FIELD,
+     .dimension = DIM_ANGLE,
+     .initial = "0",
+     .offset = offsetof(section_case, pattern_turn),
+     .about = "how the pattern in a stack of slices turns along s: its rate couples stretch and "
+              "twist; the slices themselves stay as they are"},
     {.name = "mesh",
      .kind = KEY_TABLE,
      .offset = offsetof(section_case, mesh),
@@ -149,6 +156,7 @@ status section_case_bind(section_case *c, const key_list *materials,
         .materials = materials->items,
     };
     *where = c->at;
+    c->nmaterial = materials->count;
     const status st = drawing_open(&c->files, &request, &c->drawing);
     return st != OK || c->drawing ? st : bind_shapes(c, materials, where);
 }

@@ -48,37 +48,44 @@ double section_error_left(int p, double d1, double d2)
     return margin * d1 * e0 / (e1 - e0);
 }
 
-static status solve_mesh(int model, const material *materials, const mesh *m, beam_law *out)
+// what is solved, beside the mesh
+typedef struct solver {
+    const section_case *c;
+    const material *materials;
+    const section_place *p;
+} solver;
+
+static status solve_mesh(const solver *q, const mesh *m, beam_law *out)
 {
-    return model == MODEL_CLASSICAL ? section_classical_mesh(m, materials, out)
-                                    : section_full_mesh(m, materials, out, NULL);
+    return q->c->model == MODEL_CLASSICAL
+               ? section_classical_mesh(m, q->materials, out)
+               : section_turning_mesh(m, q->materials, q->p->turn_rate, out, NULL);
 }
 
-static status solve_lower(int model, const material *materials, const mesh *m, int order,
-                          beam_law *out)
+static status solve_order(const solver *q, const mesh *m, int order, beam_law *out)
 {
     status st = OK;
-    mesh lower = {0};
-    TRY(mesh_lower_order(m, order, &lower));
-    TRY(solve_mesh(model, materials, &lower, out));
+    mesh other = {0};
+    TRY(mesh_of_order(m, order, &other));
+    TRY(solve_mesh(q, &other, out));
 
 done:
-    mesh_free(&lower);
+    mesh_free(&other);
     return st;
 }
 
 // the law on the mesh and its error from the lower orders of the same mesh
-static status solve_by_orders(int model, const material *materials, const mesh *m, beam_law *out)
+static status solve_by_orders(const solver *q, const mesh *m, beam_law *out)
 {
     status st = OK;
     const int p = m->order;
     beam_law lower = {0}, lowest = {0};
-    TRY(solve_mesh(model, materials, m, out));
-    TRY(solve_lower(model, materials, m, p - 1, &lower));
+    TRY(solve_mesh(q, m, out));
+    TRY(solve_order(q, m, p - 1, &lower));
     const double d1 = mat6_relative_error(lower.K, out->K);
     double d2 = 0;
     if (p > 2) {
-        TRY(solve_lower(model, materials, m, p - 2, &lowest));
+        TRY(solve_order(q, m, p - 2, &lowest));
         d2 = mat6_relative_error(lowest.K, lower.K);
     }
     out->relative_error =
@@ -88,19 +95,19 @@ done:
     return st;
 }
 
-// order 1 has no lower order: a mesh of order 2, curved where the outlines are, stands in for the
-// truth
-static status solve_linear(const section_case *c, const material *materials,
-                           const section_outline *o, const mesh *m, beam_law *out)
+// order 1 has no lower order: one of order 2 stands in for the truth, curved where the outlines
+// are; where a file holds the mesh, the same elements
+static status solve_linear(const solver *q, const mesh *m, beam_law *out)
 {
     status st = OK;
     mesh higher = {0};
     beam_law better = {0};
-    mesh_options options = c->mesh;
+    mesh_options options = q->c->mesh;
     options.order = 2;
-    TRY(solve_mesh(c->model, materials, m, out));
-    TRY(section_mesh_make(o, &options, &higher));
-    TRY(solve_mesh(c->model, materials, &higher, &better));
+    TRY(solve_mesh(q, m, out));
+    TRY(q->p->drawn ? section_place_mesh(q->c, q->p, &options, &higher)
+                    : mesh_of_order(m, 2, &higher));
+    TRY(solve_mesh(q, &higher, &better));
     out->relative_error = fmax(linear_margin * mat6_relative_error(out->K, better.K),
                                fmax(rounding_level, out->relative_error));
 
@@ -130,79 +137,73 @@ static status explain(const section_outline *o, status st)
                           k + 1, 1e3 * part * o->size, 1e3 * o->size);
 }
 
-status section_solve_outline(const section_case *c, const material *materials,
-                             const section_outline *o, beam_law *out, bool *meshed)
+// K on the mesh, and what the mesh leaves behind
+static status solve_on_mesh(const solver *q, beam_law *out)
 {
     status st = OK;
     mesh m = {0};
-    bool closed = false;
-    *out = (beam_law){0};
-    if (c->model == MODEL_CLASSICAL) {
-        TRY(section_classical_closed(o, materials, out, &closed));
-        out->relative_error = closed_rounding;
-    }
-    *meshed = !closed;
-    if (!closed) {
-        TRY(section_mesh_make(o, &c->mesh, &m));
-        st = m.order > 1 ? solve_by_orders(c->model, materials, &m, out)
-                         : solve_linear(c, materials, o, &m, out);
-        TRY(explain(o, st));
-    }
-    TRY(beam_law_check(out));
+    TRY(section_place_mesh(q->c, q->p, &q->c->mesh, &m));
+    st = m.order > 1 ? solve_by_orders(q, &m, out) : solve_linear(q, &m, out);
+    TRY(q->p->drawn ? explain(&q->p->outline, st) : st);
 
 done:
     mesh_free(&m);
     return st;
 }
 
-static shape_list shapes_of(const section_case *c)
-{
-    return (shape_list){.count = c->shapes.count, .items = c->shapes.items};
-}
-
-status section_solve(const section_case *c, const material *materials, double s, beam_law *out)
+status section_solve_place(const section_case *c, const material *materials, const section_place *p,
+                           beam_law *out, bool *meshed)
 {
     status st = OK;
-    section_outline o = {0};
-    bool meshed = false;
-    TRY(shapes_at(shapes_of(c), s, &o));
-    TRY(section_solve_outline(c, materials, &o, out, &meshed));
+    const solver q = {c, materials, p};
+    bool closed = false;
+    *out = (beam_law){0};
+    if (c->model == MODEL_CLASSICAL && p->drawn) {
+        TRY(section_classical_closed(&p->outline, materials, out, &closed));
+        out->relative_error = closed_rounding;
+    }
+    *meshed = !closed;
+    if (!closed) {
+        TRY(solve_on_mesh(&q, out));
+    }
+    TRY(beam_law_check(out));
 
 done:
-    section_outline_free(&o);
+    return st;
+}
+
+status section_solve(const section_case *c, const material *materials, double s, double length,
+                     beam_law *out)
+{
+    status st = OK;
+    section_place p = {0};
+    bool meshed = false;
+    TRY(section_place_at(c, s, length, &p));
+    TRY(section_solve_place(c, materials, &p, out, &meshed));
+
+done:
+    section_place_free(&p);
     return st;
 }
 
 status section_check(const section_case *c, const material *materials, double s, bool libraries)
 {
     status st = OK;
-    section_outline o = {0};
+    section_place p = {0};
     mesh m = {0};
     beam_law unused = {0};
     bool closed = false;
-    TRY(shapes_at(shapes_of(c), s, &o));
-    if (c->model == MODEL_CLASSICAL) {
-        TRY(section_classical_closed(&o, materials, &unused, &closed));
+    TRY(section_place_at(c, s, 0, &p));
+    if (c->model == MODEL_CLASSICAL && p.drawn) {
+        TRY(section_classical_closed(&p.outline, materials, &unused, &closed));
     }
-    const bool mapped = c->mesh.kind != MESH_FREE && section_mesh_is_mapped(&o);
+    const bool mapped = p.drawn && c->mesh.kind != MESH_FREE && section_mesh_is_mapped(&p.outline);
     if (!closed && (libraries || mapped || c->mesh.kind == MESH_MAPPED)) {
-        TRY(section_mesh_make(&o, &c->mesh, &m));
+        TRY(section_place_mesh(c, &p, &c->mesh, &m));
     }
 
 done:
     mesh_free(&m);
-    section_outline_free(&o);
-    return st;
-}
-
-status section_mesh_at(const section_case *c, double s, mesh *out)
-{
-    status st = OK;
-    section_outline o = {0};
-    TRY(shapes_at(shapes_of(c), s, &o));
-    TRY(section_mesh_make(&o, &c->mesh, out));
-
-done:
-    section_outline_free(&o);
+    section_place_free(&p);
     return st;
 }

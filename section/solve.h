@@ -3,11 +3,12 @@
 // here.
 #pragma once
 
-#include "section/section.h"
+#include "section/place.h"
 
-// *meshed: whether a mesh was made; false for closed forms.
-status section_solve_outline(const section_case *c, const material *materials,
-                             const section_outline *o, beam_law *out, bool *meshed);
+// The law in the body frame at the place, of a pattern that turns there as it does. *meshed:
+// whether a mesh was made; false for closed forms.
+status section_solve_place(const section_case *c, const material *materials, const section_place *p,
+                           beam_law *out, bool *meshed);
 
 // What a mesh of order p leaves behind, from the differences d1 = |K_p - K_(p-1)| and d2 = |K_(p-1)
 // - K_(p-2)|; d2 = 0 where p = 2. docs/theory.md (3.8)

@@ -26,7 +26,7 @@ static status read_case(const char *shapes, const char *rest, case_data *c)
     fprintf(file, "%s%s%s", start, shapes, rest);
     CHECK(fclose(file) == 0);
     status_clear();
-    const status st = case_open(path, 0, NULL, c);
+    const status st = case_open(&(case_request){.path = path}, c);
     (void)unlink(path);
     return st;
 }

@@ -97,7 +97,7 @@ static void lowering_the_order_keeps_shared_nodes_single(shape s)
         for (int low = 1; low < p; low++) {
             mesh m = {0}, l = {0};
             bent_square(s, p, 3, &m);
-            CHECK_OK(mesh_lower_order(&m, low, &l));
+            CHECK_OK(mesh_of_order(&m, low, &l));
             CHECK(l.nnode == (3 * low + 1) * (3 * low + 1));
             CHECK_OK(mesh_check(&l));
             // orders >= 2 hold the quadratic map exactly on quads

@@ -113,8 +113,8 @@ static inline status make_section(run_result *r, bool turning)
     status st = OK;
     section_result *s = &r->section;
     r->has_section = true;
-    s->meshed = true;
-    s->nsolved = 1;
+    s->effort.meshed = true;
+    s->effort.nsolved = 1;
     s->nstation = turning ? 9 : 1;
     TRY(TAKE(s->station, (size_t)s->nstation));
     TRY(law_along_make(r->rod_length, 1, s->nstation, &s->along));

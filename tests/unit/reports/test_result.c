@@ -83,8 +83,8 @@ static void make_section(counter *c, run_result *r)
     r->section_model = MODEL_CLASSICAL;
     r->symmetry_turn = 0.3;
     s->nstation = 2;
-    s->meshed = true;
-    s->nsolved = 5;
+    s->effort.meshed = true;
+    s->effort.nsolved = 5;
     CHECK_OK(TAKE(s->station, 2));
     for (int i = 0; i < 2; i++) {
         s->station[i].s = 0.06 * i;
@@ -364,7 +364,7 @@ static void the_store_gives_back_all_of_a_run(const scratch *dir)
     CHECK(back.nmaterial == 2 && strcmp(back.materials[1].name, "stiff") == 0);
     CHECK(back.materials[0].E == 0.66e6 && back.materials[1].nu == 0.45);
     CHECK(back.materials[0].linear_strain == 0.05);
-    CHECK(back.symmetry_turn == 0.3 && back.section.meshed);
+    CHECK(back.symmetry_turn == 0.3 && back.section.effort.meshed);
     CHECK(same_mesh(&back.section_mesh, &r.section_mesh));
     CHECK(same_mesh(&back.segment_plane, &r.segment_plane));
     CHECK(same_mesh(&back.segment_mesh, &r.segment_mesh));

@@ -17,7 +17,8 @@ static void run_case(const char *name, int noverride, const char *const *overrid
     const command cmd = {.quiet = true, .first_rank = true};
     const char *source = getenv("STIFFAXIS_SOURCE");
     (void)snprintf(path, sizeof path, "%s/cases/%s.yaml", source ? source : ".", name);
-    if (case_open(path, noverride, overrides, c) != OK || chain_run(&cmd, c, parts, r) != OK) {
+    const case_request request = {.path = path, .noverride = noverride, .overrides = overrides};
+    if (case_open(&request, c) != OK || chain_run(&cmd, c, parts, r) != OK) {
         printf("%s\n", status_message());
         exit(1);
     }

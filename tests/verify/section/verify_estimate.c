@@ -14,7 +14,8 @@ static beam_law estimated(const section_outline *o, const material *m, int order
     bool meshed = false;
     c.mesh.order = order;
     c.mesh.size = size;
-    CHECK_OK(section_solve_outline(&c, m, o, &law, &meshed));
+    CHECK_OK(section_solve_place(&c, m, &(section_place){.drawn = true, .outline = *o, .scale = 1},
+                                 &law, &meshed));
     CHECK(meshed);
     return law;
 }
@@ -118,7 +119,8 @@ static void straight_classical_section_is_exact(void)
     beam_law law = {0};
     bool meshed = false;
     c.model = MODEL_CLASSICAL;
-    CHECK_OK(section_solve_outline(&c, &m, &o, &law, &meshed));
+    CHECK_OK(section_solve_place(&c, &m, &(section_place){.drawn = true, .outline = o, .scale = 1},
+                                 &law, &meshed));
     CHECK(meshed && law.relative_error < 1e-10);
     CHECK_NEAR(law.K.a[NZ][NZ], 8, 1e-13);
 }

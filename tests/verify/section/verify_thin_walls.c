@@ -17,12 +17,12 @@ static void thin_strips_tell_their_rounding(void)
         int line = 0, column = 0;
         c.shapes = (key_list){.count = 1, .items = &strip};
         if (i == 2) {
-            CHECK(section_solve(&c, &m, 0, &law) == ERR_NUMERIC);
+            CHECK(section_solve(&c, &m, 0, 0, &law) == ERR_NUMERIC);
             CHECK(status_place(&line, &column) && line == strip.at.line);
             status_clear();
             break;
         }
-        CHECK_OK(section_solve(&c, &m, 0, &law));
+        CHECK_OK(section_solve(&c, &m, 0, 0, &law));
         CHECK(law.relative_error < 2e-3);
         CHECK_NEAR(law.K.a[MX][MX], m.E * cube / 12, law.relative_error + 1e-9);
         CHECK_NEAR(law.K.a[MZ][MZ], m.E / 2.6 * cube / 3 * (1 - 0.63025 * t / b),
