@@ -145,7 +145,7 @@ static status pool_add(node_pool *pool, int carrier, const double *x, int *index
 }
 
 static status block_of_order(node_pool *pool, const mesh_block *from, int from_order, int order,
-                          mesh_block *to)
+                             mesh_block *to)
 {
     status st = OK;
     element high = {0}, low = {0};

@@ -41,8 +41,8 @@ status mesh_take_frames(mesh *m, int nframe);
 
 int mesh_element_count(const mesh *m);
 
-// The same plane or solid geometry at another order, nodes evaluated from the given ones: a lower one
-// for error estimates, a higher one of the same shapes (no rounder).
+// The same plane or solid geometry at another order, nodes evaluated from the given ones: a lower
+// one for error estimates, a higher one of the same shapes (no rounder).
 status mesh_of_order(const mesh *in, int order, mesh *out);
 
 // The smallest det J over all quadrature points and nodes of each element, divided by that

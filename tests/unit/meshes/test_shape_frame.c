@@ -55,7 +55,7 @@ static void tangent_axes_follow_the_circle_and_others_stay(void)
     CHECK(frame_near(&m, -3.5e-3, 0) == NULL);
 
     const double x = 3.5e-3 * cos(1), y = 3.5e-3 * sin(1);
-    CHECK_OK(mesh_lower_order(&m, 2, &lower)); // frames stay with coarser meshes
+    CHECK_OK(mesh_of_order(&m, 2, &lower)); // frames stay with coarser meshes
     const mesh *both[] = {&m, &lower};
     for (int i = 0; i < 2; i++) {
         const material_frame *f = frame_near(both[i], x, y);
