@@ -29,6 +29,7 @@ typedef enum key_kind {
     KEY_NAME,    // key_text: a text with its place, a reference to something named elsewhere
     KEY_CHOICE,  // int: index into `choices`
     KEY_FIELD,   // field: a number or an expression in s
+    KEY_PLACE,   // place_field: a number or an expression in x, y and s
     KEY_VECTOR,  // double[count]
     KEY_ROWS,    // key_rows: a list of lists of `count` numbers (count 0: all rows as long as the
                  // first)

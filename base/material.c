@@ -51,3 +51,17 @@ double material_grade(const material *m, double x, double y)
 {
     return m->modulus.at ? place_field_at(&m->modulus, x, y) / m->E : 1;
 }
+
+status material_check_grade(const material *m, double x, double y, double *grade)
+{
+    *grade = material_grade(m, x, y);
+    const double E = *grade * m->E;
+    if (E >= MATERIAL_SMALLEST_MODULUS && E <= MATERIAL_LARGEST_MODULUS) {
+        return OK;
+    }
+    return status_fail_at(ERR_INPUT, m->at.line, m->at.column,
+                          "material '%s': E = %.6g MPa at x = %.6g mm, y = %.6g mm, s = %.6g mm: "
+                          "it must be more than 0, %g to %g MPa",
+                          m->name ? m->name : "", 1e-6 * E, 1e3 * x, 1e3 * y, 1e3 * m->modulus.s,
+                          1e-6 * MATERIAL_SMALLEST_MODULUS, 1e-6 * MATERIAL_LARGEST_MODULUS);
+}

@@ -7,9 +7,14 @@
 
 #include "base/dense.h"
 #include "base/field.h"
+#include "base/field_table.h"
 #include "base/key.h"
 #include "base/material_frame.h"
 #include "base/status.h"
+
+// what a modulus may be [Pa]
+#define MATERIAL_SMALLEST_MODULUS 1e-3
+#define MATERIAL_LARGEST_MODULUS 1e16
 
 typedef enum material_kind {
     MATERIAL_ISOTROPIC,
@@ -28,7 +33,8 @@ typedef struct material {
     double linear_strain; // largest strain at which the material stays close to linear; 0 = not
                           // known
     double density;       // [kg/m^3]; 0: not given
-    place_field modulus;  // graded: E over the place [Pa]
+    place_field modulus;  // E as the case gives it; graded over the place [Pa]
+    field_table table;    // the same by a table
     double fibre_angle, plane_angle; // of the material's axes in every frame [rad]
     int kind;                        // material_kind, set by material_bind
     double E1, E2, E3, G12, G13, G23, nu12, nu13,
@@ -53,8 +59,16 @@ static inline bool material_is_graded(const material *m) // over the section
     return m->modulus.at && m->modulus.across;
 }
 
+static inline bool material_varies(const material *m) // along the rod
+{
+    return m->modulus.at && m->modulus.along;
+}
+
 // E(x, y) / E of a graded material, else 1; may be <= 0 where the case's expression is.
 double material_grade(const material *m, double x, double y);
+
+// The same; ERR_INPUT, with the material's place in the case, where E is not a modulus there.
+status material_check_grade(const material *m, double x, double y, double *grade);
 
 double material_shear_modulus(const material *m); // G = E / (2 (1 + nu)) [Pa]; isotropic
 

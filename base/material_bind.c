@@ -79,10 +79,30 @@ static status check_given(const material *m, const char *kind, int first, int en
 
 // --- isotropic
 
+// E as a number: the one to which others are referred where it is graded
+static status take_modulus(material *m)
+{
+    status st = OK;
+    if (mark_given(m->table.at)) {
+        TRY(field_table_check(&m->table));
+        m->modulus = field_table_place(&m->table);
+    }
+    if (m->modulus.at) {
+        const double E = place_field_at(&m->modulus, 0, 0);
+        m->E = E > 0 && isfinite(E) ? E : 1;
+    } else if (m->modulus.value > 0) {
+        m->E = m->modulus.value;
+    }
+
+done:
+    return st;
+}
+
 static status bind_isotropic(material *m)
 {
     status st = OK;
     m->kind = MATERIAL_ISOTROPIC;
+    TRY(take_modulus(m));
     TRY(check_given(m, "isotropic, by E and nu", 0, 1));
     if (!(m->nu > -1 && m->nu < 0.5)) {
         return refuse(m, "nu = %.6g breaks -1 < nu < 0.5", m->nu);

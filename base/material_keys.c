@@ -3,13 +3,11 @@
 
 #include <math.h>
 
-#define SMALLEST_MODULUS 1e-3
-#define LARGEST_MODULUS 1e16
-
 #define MODULUS_KEY(word, words)                                                                   \
     {                                                                                              \
-        .name = #word, .kind = KEY_REAL, .dimension = DIM_STRESS, .min = SMALLEST_MODULUS,         \
-        .max = LARGEST_MODULUS, .offset = offsetof(material, word), .about = words                 \
+        .name = #word, .kind = KEY_REAL, .dimension = DIM_STRESS,                                  \
+        .min = MATERIAL_SMALLEST_MODULUS, .max = MATERIAL_LARGEST_MODULUS,                         \
+        .offset = offsetof(material, word), .about = words                                         \
     }
 
 #define RATIO_KEY(word, words)                                                                     \
@@ -26,21 +24,58 @@
 // the ways to give the elastic constants exclude each other
 enum { GROUP_ELASTIC = 1, MOST_ROWS = 6 };
 
+static const key table_key_list[] = {
+    {.name = "along",
+     .kind = KEY_CHOICE,
+     .choices = "x|y|s",
+     .required = true,
+     .offset = offsetof(field_table, along),
+     .about = "what it runs over: a coordinate of the section or the arclength"},
+    {.name = "at",
+     .kind = KEY_ROWS,
+     .dimension = DIM_LENGTH,
+     .required = true,
+     .offset = offsetof(field_table, places),
+     .about = "places, ascending; beyond the ends the modulus stays what it is there"},
+    {.name = "E",
+     .kind = KEY_ROWS,
+     .dimension = DIM_STRESS,
+     .min = MATERIAL_SMALLEST_MODULUS,
+     .max = MATERIAL_LARGEST_MODULUS,
+     .required = true,
+     .offset = offsetof(field_table, values),
+     .about = "Young's modulus at each of them; a monotone cubic in between"},
+};
+
+static const key_table table_keys = {
+    .name = "modulus_table",
+    .size = sizeof(field_table),
+    .nkey = sizeof table_key_list / sizeof *table_key_list,
+    .keys = table_key_list,
+    .about = "Young's modulus over one coordinate",
+};
+
 static const key keys[] = {
     {.name = "E",
-     .kind = KEY_REAL,
+     .kind = KEY_PLACE,
      .dimension = DIM_STRESS,
-     .min = SMALLEST_MODULUS,
-     .max = LARGEST_MODULUS,
+     .min = MATERIAL_SMALLEST_MODULUS,
+     .max = MATERIAL_LARGEST_MODULUS,
      .one_of = GROUP_ELASTIC,
-     .offset = offsetof(material, E),
+     .offset = offsetof(material, modulus),
      .about = "isotropic: Young's modulus"},
+    {.name = "E_table",
+     .kind = KEY_TABLE,
+     .one_of = GROUP_ELASTIC,
+     .offset = offsetof(material, table),
+     .table = &table_keys,
+     .about = "isotropic: Young's modulus by a table over x, y or s"},
     RATIO_KEY(nu, "isotropic: Poisson's ratio, -1 < nu < 0.5"),
     {.name = "E1",
      .kind = KEY_REAL,
      .dimension = DIM_STRESS,
-     .min = SMALLEST_MODULUS,
-     .max = LARGEST_MODULUS,
+     .min = MATERIAL_SMALLEST_MODULUS,
+     .max = MATERIAL_LARGEST_MODULUS,
      .one_of = GROUP_ELASTIC,
      .offset = offsetof(material, E1),
      .about = "orthotropic: Young's modulus along the own axis 1, the fibre; with E2, E3, G12, "

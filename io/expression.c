@@ -9,9 +9,11 @@
 #include <muParserDLL.h>
 #include <string.h>
 
+enum { VARIABLE_X, VARIABLE_Y, VARIABLE_S, VARIABLES };
+
 struct expression {
     muParserHandle_t parser;
-    double *s; // muParser reads the variable here
+    double *variable; // [3] muParser reads x, y and s here
     expression *next;
 };
 
@@ -31,7 +33,7 @@ static void expression_free(expression *e)
         mupRelease(e->parser);
     }
     if (e) {
-        free(e->s);
+        free(e->variable);
     }
     free(e);
 }
@@ -54,7 +56,7 @@ static status make_parser(expression **out)
     status st = OK;
     expression *e = NULL;
     TRY(TAKE(e, 1));
-    TRY(TAKE(e->s, 1));
+    TRY(TAKE(e->variable, VARIABLES));
     e->parser = mupCreate(muBASETYPE_FLOAT);
     if (!e->parser) {
         TRY(status_fail(ERR_RESOURCE, "out of memory while starting muParser"));
@@ -126,7 +128,11 @@ static status set_text(expression *e, const char *text, const expression_scope *
         mupDefineConst(e->parser, "L", scope->L);
     }
     if (scope->has_s) {
-        mupDefineVar(e->parser, "s", e->s);
+        mupDefineVar(e->parser, "s", &e->variable[VARIABLE_S]);
+    }
+    if (scope->has_place) {
+        mupDefineVar(e->parser, "x", &e->variable[VARIABLE_X]);
+        mupDefineVar(e->parser, "y", &e->variable[VARIABLE_Y]);
     }
     mupSetExpr(e->parser, text);
     if (!mupError(e->parser)) {
@@ -178,7 +184,14 @@ done:
 
 double expression_at(const expression *e, double s)
 {
-    *e->s = s;
+    return expression_at_place(e, 0, 0, s);
+}
+
+double expression_at_place(const expression *e, double x, double y, double s)
+{
+    e->variable[VARIABLE_X] = x;
+    e->variable[VARIABLE_Y] = y;
+    e->variable[VARIABLE_S] = s;
     const double value = mupEval(e->parser);
     if (mupError(e->parser)) {
         mupErrorReset(e->parser);

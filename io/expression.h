@@ -1,5 +1,5 @@
 // io/expression.h
-// muParser's one door: arithmetic in pi, L and s.
+// muParser's one door: arithmetic in pi, L, s and, over a section, x and y.
 //
 // Allowed: decimal numbers, + - * / ^ ( ), comparisons, && || and ? :, and the functions sin cos
 // tan asin acos atan atan2 sinh cosh tanh asinh acosh atanh exp ln log (natural, as ln) log2 log10
@@ -20,6 +20,7 @@ void calculator_free(calculator *c); // NULL is fine
 
 typedef struct expression_scope {
     bool has_L, has_s;
+    bool has_place;   // x and y
     double L;         // in the unit that the caller chose
     const char *no_L; // why it is missing, for the message: "the case has no length yet"
     const char *no_s;
@@ -40,6 +41,7 @@ status expression_value(calculator *c, const char *text, const expression_scope 
 status expression_compile(calculator *c, const char *text, const expression_scope *scope,
                           const expression **out, expression_error *error);
 double expression_at(const expression *e, double s);
+double expression_at_place(const expression *e, double x, double y, double s);
 
-// Whether the name s stands in the text.
-bool expression_uses_s(const char *text);
+// Whether the name of one letter, x, y or s, stands in the text.
+bool expression_uses(const char *text, char name);

@@ -14,10 +14,12 @@ static const char *const functions[] = {
     "sqrt", "abs",   "rint",  "sign",  "min",  "max",  "sum",   "avg",
 };
 static const char *const constants[] = {"pi", "L", "s"};
+static const char *const places[] = {"x", "y"};
 
 enum {
     NFUNCTION = sizeof functions / sizeof *functions,
     NCONSTANT = sizeof constants / sizeof *constants,
+    NPLACE = sizeof places / sizeof *places,
 };
 
 typedef struct scan {
@@ -80,15 +82,18 @@ static status unknown_name(scan *s, const char *name)
     for (int i = 0; i < NFUNCTION; i++) {
         nearest_offer(&near, functions[i], functions[i]);
     }
+    for (int i = 0; i < NPLACE && s->scope->has_place; i++) {
+        nearest_offer(&near, places[i], places[i]);
+    }
     if (near.best[0]) {
         return expression_refuse(s->error, s->at, "unknown name '%s' in arithmetic%s", name,
                                  nearest_words(&near, words));
     }
     return expression_refuse(
         s->error, s->at,
-        "unknown name '%s' in arithmetic; known are pi, L, s and functions such as "
+        "unknown name '%s' in arithmetic; known are pi, L, s%s and functions such as "
         "sin, sqrt, min",
-        name);
+        name, s->scope->has_place ? ", x, y" : "");
 }
 
 static status scan_name(scan *s)
@@ -106,7 +111,8 @@ static status scan_name(scan *s)
         return expression_refuse(s->error, s->at, "s may not stand here: %s", s->scope->no_s);
     }
     s->after_function = is_one_of(name, NFUNCTION, functions);
-    if (!s->after_function && !is_one_of(name, NCONSTANT, constants)) {
+    const bool place = s->scope->has_place && is_one_of(name, NPLACE, places);
+    if (!s->after_function && !place && !is_one_of(name, NCONSTANT, constants)) {
         return unknown_name(s, name);
     }
     s->at += n;
@@ -223,11 +229,11 @@ status expression_scan(const char *text, const expression_scope *scope, expressi
     return OK;
 }
 
-bool expression_uses_s(const char *text)
+bool expression_uses(const char *text, char name)
 {
     for (const char *p = text; *p;) {
         const int n = name_length(p);
-        if (n == 1 && *p == 's') {
+        if (n == 1 && *p == name) {
             return true;
         }
         p += n ? n : 1;

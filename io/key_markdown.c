@@ -36,6 +36,7 @@ static void put_value(FILE *stream, const key *k)
         [KEY_TEXT] = "text",
         [KEY_NAME] = "name",
         [KEY_FIELD] = "number or expression in s",
+        [KEY_PLACE] = "number or expression in x, y and s",
         [KEY_TABLE] = "map of",
         [KEY_LIST] = "list of",
         [KEY_NAMED] = "map from names to",

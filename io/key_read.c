@@ -94,6 +94,8 @@ static status read_value(const value_key *v, const node *n, char *struct_start)
         return value_choice(v, n, out);
     case KEY_FIELD:
         return value_field(v, n, out);
+    case KEY_PLACE:
+        return value_place(v, n, out);
     case KEY_VECTOR:
         return value_vector(v, n, out);
     case KEY_ROWS:

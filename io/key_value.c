@@ -93,7 +93,8 @@ static expression_scope scope_of(const value_key *v)
 {
     return (expression_scope){
         .has_L = v->cfg->has_length,
-        .has_s = v->k->kind == KEY_FIELD,
+        .has_s = v->k->kind == KEY_FIELD || v->k->kind == KEY_PLACE,
+        .has_place = v->k->kind == KEY_PLACE,
         .L = unit_from_si(arc_unit(v), v->cfg->length_m),
         .no_L = "the length of the rod comes first",
         .no_s = "this number does not vary along the rod",
@@ -224,6 +225,14 @@ static double varying_at(const void *expression, double s)
     return unit_to_si(f->value, expression_at(f->compiled, unit_from_si(f->arc, s)));
 }
 
+static double varying_over(const void *expression, double x, double y, double s)
+{
+    const varying *f = expression;
+    const unit *u = f->arc; // x, y and s alike
+    return unit_to_si(f->value, expression_at_place(f->compiled, unit_from_si(u, x),
+                                                    unit_from_si(u, y), unit_from_si(u, s)));
+}
+
 static status check_along(const value_key *v, const node *n, const field *f)
 {
     status st = OK;
@@ -237,12 +246,8 @@ static status check_along(const value_key *v, const node *n, const field *f)
     return st;
 }
 
-status value_field(const value_key *v, const node *n, field *out)
+static status compile(const value_key *v, const node *n, varying **out)
 {
-    if (!is_text(n) || !expression_uses_s(n->text)) {
-        *out = (field){0};
-        return value_real(v, n, &out->value);
-    }
     expression_error error = {0};
     varying *f = NULL;
     const expression_scope scope = scope_of(v);
@@ -253,11 +258,36 @@ status value_field(const value_key *v, const node *n, field *out)
     f->arc = arc_unit(v);
     f->value = v->u;
     st = expression_compile(v->cfg->arithmetic, n->text, &scope, &f->compiled, &error);
-    if (st != OK) {
-        return st == ERR_INPUT ? arithmetic_fails(v, n, &error) : st;
+    *out = f;
+    return st == ERR_INPUT ? arithmetic_fails(v, n, &error) : st;
+}
+
+status value_field(const value_key *v, const node *n, field *out)
+{
+    varying *f = NULL;
+    if (!is_text(n) || !expression_uses(n->text, 's')) {
+        *out = (field){0};
+        return value_real(v, n, &out->value);
     }
+    const status st = compile(v, n, &f);
     *out = (field){.at = varying_at, .expression = f};
-    return check_along(v, n, out);
+    return st == OK ? check_along(v, n, out) : st;
+}
+
+status value_place(const value_key *v, const node *n, place_field *out)
+{
+    varying *f = NULL;
+    const bool along = is_text(n) && expression_uses(n->text, 's');
+    const bool across =
+        is_text(n) && (expression_uses(n->text, 'x') || expression_uses(n->text, 'y'));
+    if (!along && !across) {
+        *out = (place_field){0};
+        return value_real(v, n, &out->value);
+    }
+    const status st = compile(v, n, &f);
+    const field at_origin = {.at = varying_at, .expression = f};
+    *out = (place_field){.at = varying_over, .expression = f, .across = across, .along = along};
+    return st == OK && !across ? check_along(v, n, &at_origin) : st;
 }
 
 status value_vector(const value_key *v, const node *n, double *out)

@@ -20,6 +20,8 @@ status value_flag(const value_key *v, const node *n, bool *out);
 status value_text(const value_key *v, const node *n, const char **out);
 status value_choice(const value_key *v, const node *n, int *out);
 status value_field(const value_key *v, const node *n, field *out);
+// Where x or y occurs the range is not checked: the places are not known here.
+status value_place(const value_key *v, const node *n, place_field *out);
 status value_vector(const value_key *v, const node *n, double *out); // k->count numbers
 status value_rows(const value_key *v, const node *n, key_rows *out); // a flat list is one row
 

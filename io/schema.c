@@ -112,6 +112,7 @@ static void write_kind(schema *s, const key *k, const unit *u)
     case KEY_REAL:
     case KEY_INTEGER:
     case KEY_FIELD:
+    case KEY_PLACE:
         write_number(s->out, k, u);
         break;
     case KEY_FLAG:
@@ -189,8 +190,10 @@ static void write_key(schema *s, const key *k)
     for (int i = 0; i < n; i++) {
         char name[KEY_NAME_TEXT], about[512];
         key_spelling(k, &units[i], name);
-        (void)snprintf(about, sizeof about, "%s%s", k->about ? k->about : "",
-                       k->kind == KEY_FIELD ? " (may vary with the arclength s)" : "");
+        const char *varies = k->kind == KEY_FIELD   ? " (may vary with the arclength s)"
+                             : k->kind == KEY_PLACE ? " (may vary with the place x, y, s [m])"
+                                                    : "";
+        (void)snprintf(about, sizeof about, "%s%s", k->about ? k->about : "", varies);
         json_object(s->out, name);
         json_text(s->out, "description", about);
         write_kind(s, k, &units[i]);

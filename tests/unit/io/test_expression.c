@@ -80,9 +80,11 @@ static void an_expression_in_s_is_compiled_once(void)
 
 static void s_is_found_as_a_name_only(void)
 {
-    CHECK(expression_uses_s("pi*s/L") && expression_uses_s("s") && expression_uses_s("2*(s)"));
-    CHECK(!expression_uses_s("sin(L)") && !expression_uses_s("abs(pi)") &&
-          !expression_uses_s("s1+as") && !expression_uses_s(""));
+    CHECK(expression_uses("pi*s/L", 's') && expression_uses("s", 's') &&
+          expression_uses("2*(s)", 's') && expression_uses("3*y", 'y'));
+    CHECK(!expression_uses("sin(L)", 's') && !expression_uses("abs(pi)", 's') &&
+          !expression_uses("s1+as", 's') && !expression_uses("", 's') &&
+          !expression_uses("exp(max(1,2))", 'x'));
 }
 
 static void wrong_arithmetic_is_shown_where_it_is_wrong(void)
