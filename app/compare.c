@@ -22,6 +22,19 @@ static double modulus_contrast(const case_data *c, const mesh *m)
     return most / least;
 }
 
+static bool isotropic_and_uniform(const case_data *c, const mesh *m)
+{
+    for (int b = 0; b < m->nblock; b++) {
+        for (int e = 0; e < m->block[b].nelem; e++) {
+            const material *one = &c->materials[m->block[b].material[e]];
+            if (one->kind != MATERIAL_ISOTROPIC || one->modulus.at) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
 static bool one_poisson_ratio(const case_data *c, const mesh *m)
 {
     double nu = NAN;
@@ -48,6 +61,7 @@ static status prepare_section(const case_data *c, const run_result *r, compare_s
         out->radius = fmax(out->radius, hypot(x[0], x[1]));
     }
     out->one_poisson = one_poisson_ratio(c, &out->mesh);
+    out->isotropic = isotropic_and_uniform(c, &out->mesh);
     out->contrast = modulus_contrast(c, &out->mesh);
     TRY(section_full_mesh(&out->mesh, c->materials, &out->full, NULL));
     TRY(beam_law_centres(&out->full, &out->centres));
@@ -64,6 +78,7 @@ status compare_all(const command *cmd, const case_data *c, run_result *r)
     r->has_compare = true;
     command_progress(cmd, "comparison: section");
     TRY(prepare_section(c, r, &section));
+    TRY(compare_published(c, &section, r));
     TRY(compare_closed_forms(c, &section, r));
     command_progress(cmd, "comparison: GetDP");
     TRY(compare_getdp(c, &section, r));

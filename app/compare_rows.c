@@ -5,6 +5,18 @@
 #include <stdarg.h>
 #include <stdio.h>
 
+static const double section_most = 1e-2;
+
+double compare_section_share(const compare_section *section)
+{
+    return fmin(COMPARE_MARGIN * section->error, section_most);
+}
+
+double compare_centre_distance(const double *a, const double *b)
+{
+    return hypot(a[0] - b[0], a[1] - b[1]);
+}
+
 compare_row *compare_add(run_result *r, const char *unit, const char *format, ...)
 {
     va_list args;

@@ -16,6 +16,7 @@ typedef struct compare_section {
     double error;     // estimate of the case's own section there, relative
     double contrast;  // largest modulus over the smallest
     bool one_poisson; // one Poisson's ratio among the materials that the section uses
+    bool isotropic;   // they are isotropic and uniform
     mesh mesh;
     beam_law full;
     beam_centres centres;
@@ -40,9 +41,19 @@ void compare_judge(compare_row *row, double ours, double other, double differenc
 void compare_relative(compare_row *row, double ours, double other, tolerance t);
 void compare_skip(compare_row *row, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
+// An error estimate is no bound: differences are held to so many times of it.
+#define COMPARE_MARGIN 3.0
+
+// What the section's own mesh may be off, 1e-2 at most: a section too coarse to tell anything is
+// out of tolerance instead of right by default.
+double compare_section_share(const compare_section *section);
+
+double compare_centre_distance(const double *a, const double *b); // of two points in the section
+
 // The rows of each kind.
 status compare_closed_forms(const case_data *c, const compare_section *section, run_result *r);
 status compare_getdp(const case_data *c, const compare_section *section, run_result *r);
+status compare_published(const case_data *c, const compare_section *section, run_result *r);
 status compare_section_segment(const case_data *c, const compare_section *section, run_result *r);
 status compare_frames(const case_data *c, run_result *r);
 status compare_rod_segment(const case_data *c, const compare_section *section, run_result *r);

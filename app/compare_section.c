@@ -1,8 +1,6 @@
 // app/compare_section.c
 // The section by us against closed forms, against GetDP and against the middle of the 3D segment.
-#include "app/chain.h"
 #include "app/compare_rows.h"
-#include "app/getdp_door.h"
 
 #include <math.h>
 
@@ -12,16 +10,6 @@ static const tolerance closed_integrals = {1e-9, "rounding and the curved elemen
 static const tolerance closed_rounding = {1e-12, "rounding: two ways to write the same integrals"};
 static const char coarse_integrals[] = "three times the section's own error estimate";
 enum { ORDER_OF_CLOSED_INTEGRALS = 3 };
-
-// An error estimate is no bound: differences are held to three times of it, and to this at most, so
-// that a section too coarse to tell anything is out of tolerance instead of right by default.
-static const double estimate_margin = 3, section_most = 1e-2;
-
-// GetDP's two meshes: elements through the section's radius. Order-2 elements, and corners where
-// materials meet.
-static const double getdp_coarse = 1.0 / 20, getdp_fine = 1.0 / 40;
-static const double getdp_floor = 1e-7; // below this GetDP's rounding and linear solver count
-static const double getdp_most = 1e-3;  // a difference of its two meshes beyond this proves nothing
 
 // What the end layers leave in the middle of the segment falls with the distance from the ends over
 // the section's radius: in bending 0.007, 0.003, 0.001, 0.0004 of the law were measured 1.5, 2.5,
@@ -35,17 +23,6 @@ static const double column_most = 5e-3;
 static const char law_reason[] = "the estimates of both: section (three times) and 3D column";
 static const char coarse_reason[] =
     "at most 5e-3 for a 3D mesh too coarse to tell, and the section";
-
-// what the section's own mesh may be off
-static double section_share(const compare_section *section)
-{
-    return fmin(estimate_margin * section->error, section_most);
-}
-
-static double centre_distance(const double *a, const double *b)
-{
-    return hypot(a[0] - b[0], a[1] - b[1]);
-}
 
 static bool is_two_material_annulus(const section_outline *o, const material *materials,
                                     annulus_two_materials *out)
@@ -133,12 +110,13 @@ status compare_closed_forms(const case_data *c, const compare_section *section, 
     TRY(beam_law_centres_near(&meshed, b.principal_angle, &a));
     const bool fine = section->mesh.order >= ORDER_OF_CLOSED_INTEGRALS;
     const tolerance t =
-        fine ? closed_integrals : (tolerance){section_share(section), coarse_integrals};
+        fine ? closed_integrals : (tolerance){compare_section_share(section), coarse_integrals};
     compare_relative(compare_add(r, "N", "section: EA, mesh against closed form"), a.EA, b.EA, t);
     compare_judge(compare_add(r, "mm", "section: NC offset, mesh against closed form (of radius)"),
                   1e3 * hypot(a.stiffness_centre[0], a.stiffness_centre[1]),
                   1e3 * hypot(b.stiffness_centre[0], b.stiffness_centre[1]),
-                  centre_distance(a.stiffness_centre, b.stiffness_centre) / section->radius, t);
+                  compare_centre_distance(a.stiffness_centre, b.stiffness_centre) / section->radius,
+                  t);
     for (int i = 0; i < 2; i++) {
         compare_relative(compare_add(r, "N mm^2", "section: EI about %s', mesh against closed form",
                                      i ? "y" : "x"),
@@ -147,45 +125,6 @@ status compare_closed_forms(const case_data *c, const compare_section *section, 
 
 done:
     section_outline_free(&outline);
-    return st;
-}
-
-static status getdp_at(const case_data *c, const compare_section *section, double size, double *GJ)
-{
-    status st = OK;
-    mesh m = {0};
-    TRY(chain_plane_mesh(c, section->s, 2, size * section->radius, &m));
-    TRY(getdp_torsion(&m, c->nmaterial, c->materials, GJ));
-
-done:
-    mesh_free(&m);
-    return st;
-}
-
-status compare_getdp(const case_data *c, const compare_section *section, run_result *r)
-{
-    status st = OK;
-    char path[4096];
-    double coarse = 0, fine = 0;
-    compare_row *row = compare_add(r, "N mm^2", "section: GJ, ours (full) against GetDP");
-    if (!getdp_find(path, sizeof path)) {
-        compare_skip(row, "getdp is not installed");
-        return OK;
-    }
-    if (!section->one_poisson) { // the scalar warping problem would not hold
-        compare_skip(row, "Poisson's ratios differ: GetDP's scalar torsion problem does not hold");
-        return OK;
-    }
-    TRY(getdp_at(c, section, getdp_coarse, &coarse));
-    TRY(getdp_at(c, section, getdp_fine, &fine));
-    const double spread = fabs(coarse - fine) / fine;
-    compare_relative(
-        row, 1e6 * section->centres.GJ, 1e6 * fine,
-        (tolerance){
-            fmin(fmax(getdp_floor, estimate_margin * (spread + section->error)), getdp_most),
-            "three times GetDP's difference of two meshes and our estimate"});
-
-done:
     return st;
 }
 
@@ -199,7 +138,7 @@ static tolerance middle_tolerance(const case_data *c, const compare_section *sec
 static tolerance law_tolerance(const compare_section *section, const beam_law *column)
 {
     const bool coarse = column->relative_error > column_most;
-    return (tolerance){fmin(column->relative_error, column_most) + section_share(section),
+    return (tolerance){fmin(column->relative_error, column_most) + compare_section_share(section),
                        coarse ? coarse_reason : law_reason};
 }
 
@@ -266,7 +205,7 @@ status compare_section_segment(const case_data *c, const compare_section *sectio
     compare_judge(compare_add(r, "mm", "section: NC, ours against bending-free load (of radius)"),
                   1e3 * hypot(ours->stiffness_centre[0], ours->stiffness_centre[1]),
                   1e3 * hypot(r->segment.stiffness_centre[0], r->segment.stiffness_centre[1]),
-                  centre_distance(ours->stiffness_centre, r->segment.stiffness_centre) /
+                  compare_centre_distance(ours->stiffness_centre, r->segment.stiffness_centre) /
                       section->radius,
                   middle_tolerance(c, section));
 

@@ -148,64 +148,136 @@ static status close_written(FILE *file)
                : status_fail(ERR_RESOURCE, "cannot write GetDP's files: %s", strerror(errno));
 }
 
-static status write_files(const char *directory, const mesh *m, int nmaterial,
-                          const material *materials)
+typedef struct getdp_problem {
+    const char *name; // of its resolution, and before .pro of its file
+    int npost;
+    const char *post[3]; // its post-processing steps
+} getdp_problem;
+
+static const getdp_problem torsion = {"Torsion", 1, {"Torsion"}};
+static const getdp_problem plane_strain = {"Plane", 3, {"Plane0", "Plane1", "Plane2"}};
+
+static status write_files(const char *directory, const getdp_problem *problem, const mesh *m,
+                          int nmaterial, const material *materials)
 {
     status st = OK;
     FILE *file = NULL;
     TRY(open_file(directory, "section.msh", "w", &file));
     getdp_write_mesh(m, file);
     TRY(close_written(file));
-    TRY(open_file(directory, "torsion.pro", "w", &file));
-    getdp_write_problem(nmaterial, materials, file);
+    TRY(open_file(directory, "problem.pro", "w", &file));
+    if (problem == &torsion) {
+        getdp_write_torsion(nmaterial, materials, file);
+    } else {
+        getdp_write_plane(m, nmaterial, materials, file);
+    }
     TRY(close_written(file));
 
 done:
     return st;
 }
 
-static status read_answer(const char *directory, double *GJ)
+static status read_number(const char *directory, const char *name, double *value)
 {
     status st = OK;
     FILE *file = NULL;
-    double time = 0, value = 0;
-    if (open_file(directory, "gj.txt", "r", &file) != OK) {
+    double time = 0;
+    if (open_file(directory, name, "r", &file) != OK) {
         status_clear();
         return status_fail(ERR_NUMERIC, "GetDP gave no result");
     }
-    const int count = fscanf(file, "%lf %lf", &time, &value);
+    const int count = fscanf(file, "%lf %lf", &time, value);
     (void)fclose(file);
-    if (count != 2 || !isfinite(value) || value <= 0) {
-        return status_fail(ERR_NUMERIC, "GetDP gave no torsional stiffness");
+    if (count != 2 || !isfinite(*value)) {
+        return status_fail(ERR_NUMERIC, "GetDP's result %s holds no number", name);
     }
-    *GJ = 1e-6 * value; // from N mm^2
     return st;
 }
 
-status getdp_torsion(const mesh *plane, int nmaterial, const material *materials, double *GJ)
+static status read_torsion(const char *directory, double *GJ)
 {
-    static const char *const arguments[] = {"getdp",  "torsion.pro", "-msh", "section.msh",
-                                            "-solve", "Torsion",     "-pos", "Torsion",
-                                            "-v",     "2",           NULL};
     status st = OK;
-    char directory[MAX_PATH] = "";
+    TRY(read_number(directory, "gj.txt", GJ));
+    *GJ *= 1e-6; // from N mm^2
+    if (!(*GJ > 0)) {
+        st = status_fail(ERR_NUMERIC, "GetDP gave no torsional stiffness");
+    }
+
+done:
+    return st;
+}
+
+static status read_plane(const char *directory, mat3 *out)
+{
+    static const double metres[3] = {1, 1e-3, 1e-3};
+    status st = OK;
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 3; j++) {
+            char name[16];
+            (void)snprintf(name, sizeof name, "k%d%d.txt", i, j);
+            TRY(read_number(directory, name, &out->a[i][j]));
+            out->a[i][j] *= metres[i] * metres[j];
+        }
+    }
+
+done:
+    return st;
+}
+
+// solves in a private directory and leaves the answers there; leave() takes it away again
+static status solve_in(char *directory, const getdp_problem *problem, const mesh *plane,
+                       int nmaterial, const material *materials)
+{
+    status st = OK;
+    const char *arguments[16] = {"getdp",       "problem.pro", "-msh", "section.msh", "-solve",
+                                 problem->name, "-v",          "2",    "-pos"};
     mesh lower = {0};
-    interrupt_hold(); // so that the directory does not stay behind
+    for (int i = 0, n = 9; i < problem->npost; i++) {
+        arguments[n++] = problem->post[i];
+    }
     if (plane->order > 2) {
         TRY(mesh_of_order(plane, 2, &lower));
     }
-    TRY(make_directory(directory, sizeof directory));
-    TRY(write_files(directory, lower.nnode ? &lower : plane, nmaterial, materials));
+    TRY(make_directory(directory, MAX_PATH));
+    TRY(write_files(directory, problem, lower.nnode ? &lower : plane, nmaterial, materials));
     TRY(run_getdp(directory, arguments));
-    TRY(read_answer(directory, GJ));
 
 done:
     mesh_free(&lower);
+    return st;
+}
+
+static status leave(const char *directory, status st)
+{
     if (directory[0]) {
         (void)disk_remove_tree(directory);
     }
     const status interrupted = interrupt_release();
     return interrupted != OK ? interrupted : st;
+}
+
+status getdp_torsion(const mesh *plane, int nmaterial, const material *materials, double *GJ)
+{
+    status st = OK;
+    char directory[MAX_PATH] = "";
+    interrupt_hold(); // so that the directory does not stay behind
+    TRY(solve_in(directory, &torsion, plane, nmaterial, materials));
+    TRY(read_torsion(directory, GJ));
+
+done:
+    return leave(directory, st);
+}
+
+status getdp_axial_bending(const mesh *plane, int nmaterial, const material *materials, mat3 *out)
+{
+    status st = OK;
+    char directory[MAX_PATH] = "";
+    interrupt_hold();
+    TRY(solve_in(directory, &plane_strain, plane, nmaterial, materials));
+    TRY(read_plane(directory, out));
+
+done:
+    return leave(directory, st);
 }
 
 status getdp_version(char *text, size_t size)
@@ -226,9 +298,5 @@ status getdp_version(char *text, size_t size)
     (void)fclose(file);
 
 done:
-    if (directory[0]) {
-        (void)disk_remove_tree(directory);
-    }
-    const status interrupted = interrupt_release();
-    return interrupted != OK ? interrupted : st;
+    return leave(directory, st);
 }

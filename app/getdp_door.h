@@ -1,9 +1,10 @@
 // app/getdp_door.h
-// GetDP as a child process: an outside finite element program that solves the torsion problem on a
-// mesh of ours. Nothing of it is linked; files are exchanged in a private directory that is removed
-// again.
+// GetDP as a child process: an outside finite element program that solves torsion and plane strain
+// on a mesh of ours. Nothing of it is linked; files are exchanged in a private directory that is
+// removed again.
 #pragma once
 
+#include "base/dense.h"
 #include "base/material.h"
 #include "base/mesh.h"
 #include "base/status.h"
@@ -22,3 +23,8 @@ status getdp_version(char *text, size_t size);
 // Poisson's ratios are equal. [N m^2] ERR_RESOURCE: not installed, out of time; ERR_NUMERIC: no
 // result; ERR_INTERRUPTED.
 status getdp_torsion(const mesh *plane, int nmaterial, const material *materials, double *GJ);
+
+// The block [[EA, ESx, -ESy], [ESx, EIxx, -EIxy], [-ESy, -EIxy, EIyy]] of a section free to deform
+// in its plane: generalized plane strain (6.4) under the axial strains 1, y and -x, for any
+// Poisson's ratios, isotropic materials; elements and failures as getdp_torsion. [N, N m, N m^2]
+status getdp_axial_bending(const mesh *plane, int nmaterial, const material *materials, mat3 *out);

@@ -12,6 +12,14 @@
 
 typedef enum section_model { MODEL_FULL, MODEL_CLASSICAL } section_model;
 
+// A 6x6 that someone published, for `compare`.
+typedef struct section_reference {
+    mark at;
+    const char *source; // where it stands; NULL: not said
+    double tolerance;   // of an entry, relative to sqrt(K_ii K_jj)
+    key_rows K;         // [n][3]: row and column from 1 in the order nx ny nz mx my mz, value in SI
+} section_reference;
+
 typedef struct section_case {
     mark at;
     int model;           // section_model
@@ -24,6 +32,7 @@ typedef struct section_case {
     key_rows stations; // arclengths that the user asks for, `stations_mm: [[...]]`; empty: chosen
     double tolerance;  // of K, relative, along s too
     key_list wrenches; // of section_wrench: what stresses are asked for
+    section_reference reference;
     // by section_case_bind
     int nmaterial;
     drawing *drawing; // the open file; NULL: shapes

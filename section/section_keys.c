@@ -3,11 +3,48 @@
 
 #include "base/nearest.h"
 
+#include <math.h>
 #include <string.h>
 
 enum { MOST_STATIONS = 1000, MOST_SHAPES = 500 };
 
 #define DEFAULT_TOLERANCE 1e-10
+
+// about the digits that tables print
+#define DEFAULT_AGREEMENT 1e-3
+
+static const key reference_list[] = {
+    {.name = "source",
+     .kind = KEY_TEXT,
+     .offset = offsetof(section_reference, source),
+     .about = "where the numbers stand"},
+    {.name = "tolerance",
+     .kind = KEY_REAL,
+     .min = 1e-14,
+     .max = 1,
+     .initial = "1e-3",
+     .offset = offsetof(section_reference, tolerance),
+     .about = "largest difference of an entry, relative to sqrt(K_ii K_jj)"},
+    {.name = "K",
+     .kind = KEY_ROWS,
+     .count = 3,
+     .max_count = 36,
+     .required = true,
+     .offset = offsetof(section_reference, K),
+     .about = "entries of the 6x6 as [row, column, value]: rows and columns from 1 in the order nx "
+              "ny nz mx my mz, values in N, N m and N m^2"},
+};
+
+static const section_reference initial_reference = {.tolerance = DEFAULT_AGREEMENT};
+
+static const key_table reference_keys = {
+    .name = "reference",
+    .size = sizeof(section_reference),
+    .nkey = sizeof reference_list / sizeof *reference_list,
+    .keys = reference_list,
+    .initial = &initial_reference,
+    .about = "a published 6x6 that `compare` holds the section to",
+};
 
 #define FILE_KEY(word, words)                                                                      \
     {                                                                                              \
@@ -77,12 +114,18 @@ static const key keys[] = {
      .about =
          "relative error of the stiffness between the stations along the rod, and no less than "
          "the error of the sections themselves"},
+    {.name = "reference",
+     .kind = KEY_TABLE,
+     .offset = offsetof(section_case, reference),
+     .table = &reference_keys,
+     .about = "a published 6x6 that `compare` holds the section to"},
 };
 
 static const section_case initial = {
     .model = MODEL_FULL,
     .scale = {.value = 1},
     .mesh = {.kind = MESH_AUTO, .order = 4},
+    .reference = {.tolerance = DEFAULT_AGREEMENT},
     .tolerance = DEFAULT_TOLERANCE, // rods then are good to 1e-11 m
 };
 
@@ -146,6 +189,27 @@ static status bind_shapes(section_case *c, const key_list *materials, mark *wher
     return any ? OK : status_fail(ERR_INPUT, "no shape of the section has a material");
 }
 
+static status check_reference(const section_reference *reference, mark *where)
+{
+    for (int k = 0; k < reference->K.nrow; k++) {
+        const double *row = reference->K.a + (size_t)3 * (size_t)k;
+        for (int i = 0; i < 2; i++) {
+            if (!(row[i] >= 1 && row[i] <= 6) || row[i] != (int)row[i]) {
+                *where = reference->K.at;
+                return status_fail(ERR_INPUT,
+                                   "entry %d of reference.K: %g is no row or column of a 6x6; they "
+                                   "count from 1 to 6",
+                                   k + 1, row[i]);
+            }
+        }
+        if (!isfinite(row[2])) {
+            *where = reference->K.at;
+            return status_fail(ERR_INPUT, "entry %d of reference.K is not a number", k + 1);
+        }
+    }
+    return OK;
+}
+
 status section_case_bind(section_case *c, const key_list *materials,
                          const section_surroundings *around, mark *where)
 {
@@ -155,10 +219,17 @@ status section_case_bind(section_case *c, const key_list *materials,
         .nmaterial = materials->count,
         .materials = materials->items,
     };
+    status st = OK;
+    TRY(check_reference(&c->reference, where));
     *where = c->at;
     c->nmaterial = materials->count;
-    const status st = drawing_open(&c->files, &request, &c->drawing);
-    return st != OK || c->drawing ? st : bind_shapes(c, materials, where);
+    TRY(drawing_open(&c->files, &request, &c->drawing));
+    if (!c->drawing) {
+        TRY(bind_shapes(c, materials, where));
+    }
+
+done:
+    return st;
 }
 
 void section_case_release(section_case *c)
