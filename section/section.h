@@ -20,6 +20,20 @@ typedef struct section_reference {
     key_rows K;         // [n][3]: row and column from 1 in the order nx ny nz mx my mz, value in SI
 } section_reference;
 
+enum { WRENCH_AT_GEOMETRIC_CENTRE, WRENCH_AT_STIFFNESS_CENTRE };
+
+// A wrench that the part of the rod beyond the section puts on it: strains and stresses under it
+// are asked for.
+typedef struct section_wrench {
+    mark at;
+    const char *name;           // owned by the case
+    double force[3], moment[3]; // [N, N m], the moment about the place where the force acts
+    int at_kind;                // -1: by point, or the geometric centre where it is empty
+    key_rows point;             // [1][2] [m]
+} section_wrench;
+
+extern const key_table section_wrench_keys; // one entry of `section.wrenches`
+
 typedef struct section_case {
     mark at;
     int model;           // section_model
@@ -33,6 +47,7 @@ typedef struct section_case {
     double tolerance;  // of K, relative, along s too
     key_list wrenches; // of section_wrench: what stresses are asked for
     section_reference reference;
+    key_rows points; // [n][2] places about which K is asked for too [m]
     // by section_case_bind
     int nmaterial;
     drawing *drawing; // the open file; NULL: shapes
@@ -40,6 +55,9 @@ typedef struct section_case {
 
 extern const key_table section_keys; // `section`
 section_case section_case_default(void);
+
+// Two wrenches of one name, or one of nothing: ERR_INPUT and the place.
+status section_wrenches_check(const section_case *c, mark *where);
 
 // What the case's files may need.
 typedef struct section_surroundings {

@@ -6,7 +6,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { MOST_STATIONS = 1000, MOST_SHAPES = 500 };
+enum { MOST_STATIONS = 1000, MOST_SHAPES = 500, MOST_POINTS = 100, MOST_WRENCHES = 100 };
 
 #define DEFAULT_TOLERANCE 1e-10
 
@@ -105,6 +105,19 @@ static const key keys[] = {
      .offset = offsetof(section_case, stations),
      .about = "arclengths to report, [0, 60, 120]; without them they are chosen by how the section "
               "varies"},
+    {.name = "points",
+     .kind = KEY_ROWS,
+     .dimension = DIM_LENGTH,
+     .count = 2,
+     .max_count = MOST_POINTS,
+     .offset = offsetof(section_case, points),
+     .about = "[[x, y], ...] about which the stiffness is reported too, in the body's axes"},
+    {.name = "wrenches",
+     .kind = KEY_LIST,
+     .max_count = MOST_WRENCHES,
+     .offset = offsetof(section_case, wrenches),
+     .table = &section_wrench_keys,
+     .about = "wrenches under which strains and stresses are asked for"},
     {.name = "tolerance",
      .kind = KEY_REAL,
      .min = 1e-14,
