@@ -118,6 +118,9 @@ static status check_section(case_data *c)
     };
     status st = case_place(
         c, section_case_bind(&c->file.section, &c->file.materials, &around, &where), where);
+    if (st == OK) {
+        st = case_place(c, section_wrenches_check(&c->file.section, &where), where);
+    }
     if (st != OK) {
         return st;
     }
