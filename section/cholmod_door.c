@@ -55,7 +55,9 @@ static cholmod_sparse view(const sparse_lower *a)
         .x = a->value,
         .stype = -1,
         .itype = CHOLMOD_INT,
-        .xtype = a->value ? CHOLMOD_REAL : CHOLMOD_PATTERN,
+        .xtype = !a->value    ? CHOLMOD_PATTERN
+                 : a->complex ? CHOLMOD_COMPLEX
+                              : CHOLMOD_REAL,
         .dtype = CHOLMOD_DOUBLE,
         .sorted = 1,
         .packed = 1,
@@ -115,25 +117,27 @@ void cholesky_free(cholesky *c)
     }
 }
 
-status cholesky_solve(cholesky *c, int nrhs, const double *b, double *x)
+status cholesky_solve(cholesky *c, int nrhs, int stride, const double *b, double *x)
 {
     status st = OK;
-    const size_t n = c->factor->n;
-    memmove(x, b, n * (size_t)nrhs * sizeof *x);
+    const size_t n = c->factor->n, pair = c->factor->xtype == CHOLMOD_REAL ? 1 : 2;
     cholmod_dense right = {
         .nrow = n,
         .ncol = (size_t)nrhs,
-        .nzmax = n * (size_t)nrhs,
-        .d = n,
-        .x = x,
-        .xtype = CHOLMOD_REAL,
+        .nzmax = (size_t)stride * (size_t)nrhs,
+        .d = (size_t)stride,
+        .x = (double *)b, // read only
+        .xtype = c->factor->xtype,
         .dtype = CHOLMOD_DOUBLE,
     };
     cholmod_dense *answer = cholmod_solve(CHOLMOD_A, c->factor, &right, &c->common);
     if (!answer) {
         TRY(cholmod_fail(&c->common, "cholmod_solve"));
     }
-    memcpy(x, answer->x, n * (size_t)nrhs * sizeof *x);
+    for (size_t k = 0; k < (size_t)nrhs; k++) {
+        memcpy(x + pair * k * (size_t)stride, (const double *)answer->x + pair * k * answer->d,
+               pair * n * sizeof *x);
+    }
 
 done:
     cholmod_free_dense(&answer, &c->common);

@@ -4,12 +4,16 @@
 
 #include "base/status.h"
 
-// The lower triangle of a symmetric matrix by columns, the diagonal first, rows ascending.
+#include <stdbool.h>
+
+// The lower triangle of a symmetric or Hermitian matrix by columns, the diagonal first, rows
+// ascending.
 typedef struct sparse_lower {
     int n;
     int *start;    // [n + 1]
     int *row;      // [start[n]]
-    double *value; // [start[n]]; NULL for a pattern
+    double *value; // [start[n]], or where complex [start[n]][2]; NULL for a pattern
+    bool complex;  // values are pairs: real part, imaginary part
 } sparse_lower;
 
 void sparse_lower_free(sparse_lower *a);
@@ -24,5 +28,6 @@ status cholesky_order(const sparse_lower *pattern, int *permutation);
 status cholesky_make(const sparse_lower *a, const int *permutation, cholesky **out);
 void cholesky_free(cholesky *c);
 
-// x = a^-1 b for nrhs columns, both [nrhs][n]; they may be the same array.
-status cholesky_solve(cholesky *c, int nrhs, const double *b, double *x);
+// x = a^-1 b for nrhs columns of n values, pairs where a is complex, each `stride` values after the
+// one before; they may be the same array.
+status cholesky_solve(cholesky *c, int nrhs, int stride, const double *b, double *x);

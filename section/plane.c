@@ -66,6 +66,16 @@ done:
     return st;
 }
 
+void plane_use_origin(plane *p)
+{
+    for (int i = 0; i < p->mesh->nnode; i++) {
+        for (int c = 0; c < 2; c++) {
+            p->xy[2 * i + c] = p->mesh->xyz[3 * i + c] / p->length;
+        }
+    }
+    p->centre[0] = p->centre[1] = 0;
+}
+
 // place, weight and derivatives at point q; false where the element is inverted there
 static bool map_point(const plane *p, const basis_table *t, int q, plane_element *e)
 {
@@ -98,6 +108,8 @@ status plane_element_at(plane *p, int block, int index, plane_element *out)
     const basis_table *t = &p->table[block];
     const int n = t->nnode * t->npoint;
     *out = (plane_element){
+        .block = block,
+        .index = index,
         .nnode = t->nnode,
         .npoint = t->npoint,
         .material = b->material[index],

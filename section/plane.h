@@ -5,9 +5,11 @@
 
 #include "base/mesh.h"
 
+enum { ELEMENT_MAX_PLANE_POINTS = 100 }; // of the rules up to degree 4 * 4 + 1
+
 typedef struct plane {
     const mesh *mesh;
-    double centre[2]; // of the bounding box: the origin of the scaled coordinates [m]
+    double centre[2]; // the origin of the scaled coordinates [m]: the bounding box's middle
     double length;    // half the bounding box's diagonal: their unit [m]
     double *xy;       // [nnode][2] scaled
     basis_table table[MESH_MAX_BLOCKS];
@@ -16,6 +18,7 @@ typedef struct plane {
 
 // The arrays stand until the next plane_element_at.
 typedef struct plane_element {
+    int block, index;
     int nnode, npoint;
     int material;
     const int *node;    // [nnode]
@@ -28,6 +31,9 @@ typedef struct plane_element {
 // no extent.
 status plane_make(const mesh *m, int degree, plane *out);
 void plane_free(plane *p);
+
+// Takes the section's own origin for that of the scaled coordinates.
+void plane_use_origin(plane *p);
 
 // ERR_NUMERIC where det J is not positive at a quadrature point.
 status plane_element_at(plane *p, int block, int index, plane_element *out);

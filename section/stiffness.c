@@ -1,164 +1,88 @@
-// section/stiffness.c
 #include "section/stiffness.h"
 
 #include "base/memory.h"
+#include "section/node_graph.h"
 
 #include <math.h>
 #include <string.h>
 
 void stiffness_free(stiffness *s)
 {
+    for (int k = 0; k < 2; k++) {
+        sparse_lower_free(&s->part[k].E);
+        free(s->part[k].P.value);
+    }
     sparse_lower_free(&s->graph);
-    sparse_lower_free(&s->matrix);
     free(s->where);
     *s = (stiffness){0};
 }
 
 // --- pattern
 
-// The elements around each node, as [nnode + 1] starts into a list of (pointer to the element's
-// nodes, how many).
-typedef struct element_nodes {
-    const int *node;
-    int count;
-} element_nodes;
+// A node column of c entries (its own first) becomes the `width` columns of its components, of
+// width c - a entries each: entry k, component r of column a is at width k + r - a.
+static int node_start(const sparse_lower *graph, int width, int j)
+{
+    return width * width * graph->start[j] - j * (width * (width - 1) / 2);
+}
 
-typedef struct neighbours {
-    int *start;
-    element_nodes *around;
-} neighbours;
+static int column_start(const sparse_lower *graph, int width, int j, int a)
+{
+    const int c = graph->start[j + 1] - graph->start[j];
+    return node_start(graph, width, j) + a * width * c - a * (a - 1) / 2;
+}
 
-static status neighbours_make(const mesh *m, neighbours *out)
+static status make_pattern(const sparse_lower *graph, int width, sparse_lower *m)
 {
     status st = OK;
-    int total = 0;
-    TRY(TAKE(out->start, (size_t)m->nnode + 2));
-    for (int b = 0; b < m->nblock; b++) {
-        const int count = m->block[b].nelem * m->block[b].per_elem;
-        for (int i = 0; i < count; i++) {
-            out->start[m->block[b].conn[i] + 2]++;
-        }
-        total += count;
-    }
-    for (int i = 2; i < m->nnode + 2; i++) {
-        out->start[i] += out->start[i - 1];
-    }
-    TRY(TAKE(out->around, (size_t)total));
-    for (int b = 0; b < m->nblock; b++) {
-        const int n = m->block[b].per_elem;
-        for (int i = 0; i < n * m->block[b].nelem; i++) {
-            const int at = out->start[m->block[b].conn[i] + 1]++;
-            out->around[at] = (element_nodes){m->block[b].conn + i / n * n, n};
-        }
-    }
-
-done:
-    return st;
-}
-
-static void neighbours_free(neighbours *n)
-{
-    free(n->start);
-    free(n->around);
-}
-
-// Visits the neighbours j <= i of each node i in order of i, so that columns fill with ascending
-// rows: counts them, or writes them where `row` is given.
-static void visit_lower(const neighbours *n, int nnode, int *mark, int *next, int *row)
-{
-    for (int i = 0; i < nnode; i++) {
-        for (int k = n->start[i]; k < n->start[i + 1]; k++) {
-            for (int a = 0; a < n->around[k].count; a++) {
-                const int j = n->around[k].node[a];
-                if (j > i || mark[j] == i + 1) {
-                    continue;
-                }
-                mark[j] = i + 1;
-                if (row) {
-                    row[next[j]] = i;
-                }
-                next[j]++;
-            }
-        }
-    }
-}
-
-static status make_graph(const mesh *m, sparse_lower *graph)
-{
-    status st = OK;
-    neighbours near = {0};
-    int *mark = NULL, *next = NULL;
-    const int n = m->nnode;
-    const size_t room = (size_t)n + 1;
-    TRY(neighbours_make(m, &near));
-    TRY(TAKE(mark, room));
-    TRY(TAKE(next, room));
-    TRY(TAKE(graph->start, room));
-    graph->n = n;
-    visit_lower(&near, n, mark, next, NULL);
-    for (int j = 0; j < n; j++) {
-        graph->start[j + 1] = graph->start[j] + next[j];
-        next[j] = graph->start[j];
-        mark[j] = 0;
-    }
-    TRY(TAKE(graph->row, (size_t)graph->start[n]));
-    visit_lower(&near, n, mark, next, graph->row);
-
-done:
-    free(mark);
-    free(next);
-    neighbours_free(&near);
-    return st;
-}
-
-// A node column of c entries (its own first) becomes the columns x of 2c, y of 2c - 1 and z of c
-// entries.
-static int plane_start(const sparse_lower *graph, int j)
-{
-    return 4 * graph->start[j] - j;
-}
-
-static status make_matrix(const sparse_lower *graph, sparse_lower *a)
-{
-    status st = OK;
-    const int n = graph->n, plane_end = plane_start(graph, n);
-    const size_t total = (size_t)plane_end + (size_t)graph->start[n];
-    a->n = 3 * n;
-    TRY(TAKE(a->start, (size_t)a->n + 1));
-    TRY(TAKE(a->row, total));
-    TRY(TAKE(a->value, total));
+    const int n = graph->n, total = node_start(graph, width, n);
+    m->n = width * n;
+    TRY(TAKE(m->start, (size_t)m->n + 1));
+    TRY(TAKE(m->row, (size_t)total));
+    TRY(TAKE(m->value, (size_t)total));
     for (int j = 0; j < n; j++) {
         const int c = graph->start[j + 1] - graph->start[j], *near = graph->row + graph->start[j];
-        int *x = a->row + plane_start(graph, j), *y = x + 2 * c - 1;
-        int *z = a->row + plane_end + graph->start[j];
-        for (int k = 0; k < c; k++) {
-            x[2 * k] = 2 * near[k];
-            x[2 * k + 1] = 2 * near[k] + 1;
-            // y[0] is the last entry of column x: both are row y of the node itself or of its last
-            // neighbour
-            y[2 * k + 1] = 2 * near[k] + 1;
-            if (k > 0) {
-                y[2 * k] = 2 * near[k];
+        for (int a = 0; a < width; a++) {
+            const int start = column_start(graph, width, j, a);
+            m->start[width * j + a] = start;
+            for (int u = a; u < width * c; u++) {
+                m->row[start + u - a] = width * near[u / width] + u % width;
             }
-            z[k] = 2 * n + near[k];
         }
-        a->start[2 * j] = plane_start(graph, j);
-        a->start[2 * j + 1] = plane_start(graph, j) + 2 * c;
-        a->start[2 * n + j] = plane_end + graph->start[j];
     }
-    a->start[3 * n] = (int)total;
+    m->start[m->n] = total;
 
 done:
     return st;
 }
 
-status stiffness_make(const mesh *m, stiffness *out)
+static status make_part(const sparse_lower *graph, bool turning, stiffness_part *part)
 {
     status st = OK;
-    stiffness s = {.nnode = m->nnode};
-    TRY(make_graph(m, &s.graph));
-    TRY(make_matrix(&s.graph, &s.matrix));
-    TRY(TAKE(s.where, (size_t)m->nnode));
+    TRY(make_pattern(graph, part->width, &part->E));
+    if (turning) {
+        part->P = part->E;
+        part->P.complex = true;
+        part->P.value = NULL;
+        TRY(TAKE(part->P.value, 2 * (size_t)part->E.start[part->E.n]));
+    }
+
+done:
+    return st;
+}
+
+status stiffness_make(const mesh *m, bool split, bool turning, stiffness *out)
+{
+    status st = OK;
+    const int n = m->nnode;
+    stiffness s = {.nnode = n, .npart = split ? 2 : 1};
+    s.part[0] = (stiffness_part){.first = 0, .width = split ? 2 : 3};
+    s.part[1] = (stiffness_part){.first = 2, .width = 1, .begin = 2 * n};
+    TRY(node_graph_make(m, &s.graph));
+    for (int k = 0; k < s.npart; k++) {
+        TRY(make_part(&s.graph, turning, &s.part[k]));
+    }
+    TRY(TAKE(s.where, (size_t)n));
     *out = s;
     s = (stiffness){0};
 
@@ -169,61 +93,54 @@ done:
 
 // --- values
 
-enum { MOST = ELEMENT_MAX_PLANE_NODES };
-
-// int dN_i/da dN_j/db for a, b among x, y
-typedef struct gradient_products {
-    double xx[MOST][MOST], xy[MOST][MOST], yy[MOST][MOST];
-} gradient_products;
-
-static void multiply_gradients(const plane_element *e, gradient_products *p)
+// Entry (r, a) of the block of local nodes i and j, of which only i >= j is kept: else that of its
+// transpose.
+static double entry(double (*block)[9], int n, int i, int j, int r, int a)
 {
-    const int n = e->nnode;
-    for (int i = 0; i < n; i++) {
-        for (int j = 0; j < n; j++) {
-            p->xx[i][j] = p->xy[i][j] = p->yy[i][j] = 0;
-        }
-    }
-    for (int q = 0; q < e->npoint; q++) {
-        const double *Nx = e->Nx + q * n, *Ny = e->Ny + q * n;
+    return i >= j ? block[i * n + j][3 * r + a] : block[j * n + i][3 * a + r];
+}
+
+static void add_wave(const element_blocks *blocks, int n, int i, int j, int r, int a, double *to)
+{
+    double(*real)[9] = (double(*)[9])blocks->wave[0],
+    (*imaginary)[9] = (double(*)[9])blocks->wave[1];
+    double(*E)[9] = (double(*)[9])blocks->E;
+    to[0] += entry(E, n, i, j, r, a) + entry(real, n, i, j, r, a);
+    to[1] += (i >= j ? 1 : -1) * entry(imaginary, n, i, j, r, a);
+}
+
+// the column of local node j
+static void add_column(stiffness *s, const stiffness_part *part, const plane_element *e,
+                       const element_blocks *blocks, int j)
+{
+    const int n = e->nnode, width = part->width, first = part->first;
+    double(*E)[9] = (double(*)[9])blocks->E;
+    for (int a = 0; a < width; a++) {
+        const int start = column_start(&s->graph, width, e->node[j], a);
         for (int i = 0; i < n; i++) {
-            const double a = e->dA[q] * Nx[i], b = e->dA[q] * Ny[i];
-            for (int j = 0; j < n; j++) {
-                p->xx[i][j] += a * Nx[j];
-                p->xy[i][j] += a * Ny[j];
-                p->yy[i][j] += b * Ny[j];
+            if (e->node[i] < e->node[j]) {
+                continue;
+            }
+            for (int r = i == j ? a : 0; r < width; r++) {
+                const int at = start + width * s->where[e->node[i]] + r - a;
+                part->E.value[at] += entry(E, n, i, j, first + r, first + a);
+                if (part->P.value) {
+                    add_wave(blocks, n, i, j, r, a, part->P.value + 2 * (size_t)at);
+                }
             }
         }
     }
 }
 
-void stiffness_add(stiffness *s, const plane_element *e, double lambda, double G)
+void stiffness_add(stiffness *s, const plane_element *e, const element_blocks *blocks)
 {
-    gradient_products p;
-    multiply_gradients(e, &p);
-    const int n = e->nnode;
-    double *value = s->matrix.value;
-    for (int j = 0; j < n; j++) {
-        const int column = e->node[j], first = s->graph.start[column];
-        const int c = s->graph.start[column + 1] - first;
-        for (int k = 0; k < c; k++) {
-            s->where[s->graph.row[first + k]] = k;
+    for (int j = 0; j < e->nnode; j++) {
+        const int begin = s->graph.start[e->node[j]], end = s->graph.start[e->node[j] + 1];
+        for (int k = begin; k < end; k++) {
+            s->where[s->graph.row[k]] = k - begin;
         }
-        double *x = value + plane_start(&s->graph, column), *y = x + 2 * c - 1;
-        double *z = value + plane_start(&s->graph, s->nnode) + first;
-        for (int i = 0; i < n; i++) {
-            if (e->node[i] < column) {
-                continue;
-            }
-            const int k = s->where[e->node[i]];
-            const double xx = p.xx[i][j], yy = p.yy[i][j], xy = p.xy[i][j], yx = p.xy[j][i];
-            x[2 * k] += (lambda + 2 * G) * xx + G * yy;
-            x[2 * k + 1] += lambda * yx + G * xy;
-            if (k > 0) {
-                y[2 * k] += lambda * xy + G * yx;
-            }
-            y[2 * k + 1] += (lambda + 2 * G) * yy + G * xx;
-            z[k] += G * (xx + yy);
+        for (int k = 0; k < s->npart; k++) {
+            add_column(s, &s->part[k], e, blocks, j);
         }
     }
 }
@@ -244,19 +161,18 @@ static int farthest_node(const plane *p, double x, double y)
     return best;
 }
 
-stiffness_pins stiffness_choose_pins(const plane *p)
+stiffness_pins stiffness_choose_pins(const stiffness *s, const plane *p)
 {
-    const int n = p->mesh->nnode;
     const int a = farthest_node(p, 0, 0);
     const int b = farthest_node(p, p->xy[2 * a], p->xy[2 * a + 1]);
     // the second node is held across the line from the first
     const double dx = fabs(p->xy[2 * b] - p->xy[2 * a]);
     const double dy = fabs(p->xy[2 * b + 1] - p->xy[2 * a + 1]);
     return (stiffness_pins){{
-        warping_unknown(n, a, 0),
-        warping_unknown(n, a, 1),
-        warping_unknown(n, a, 2),
-        warping_unknown(n, b, dx > dy ? 1 : 0),
+        stiffness_unknown(s, a, 0),
+        stiffness_unknown(s, a, 1),
+        stiffness_unknown(s, a, 2),
+        stiffness_unknown(s, b, dx > dy ? 1 : 0),
     }};
 }
 
@@ -266,33 +182,70 @@ static bool is_pinned(const stiffness_pins *pins, int unknown)
     return unknown == u[0] || unknown == u[1] || unknown == u[2] || unknown == u[3];
 }
 
-void stiffness_pin(stiffness *s, const stiffness_pins *pins)
+static void pin_part(const stiffness_part *part, const stiffness_pins *pins)
 {
-    const sparse_lower *a = &s->matrix;
-    for (int j = 0; j < a->n; j++) {
-        const bool column = is_pinned(pins, j);
-        for (int k = a->start[j]; k < a->start[j + 1]; k++) {
-            if (a->row[k] != j && (column || is_pinned(pins, a->row[k]))) {
-                a->value[k] = 0;
+    const sparse_lower *m = &part->E;
+    for (int j = 0; j < m->n; j++) {
+        const bool column = is_pinned(pins, part->begin + j);
+        for (int k = m->start[j]; k < m->start[j + 1]; k++) {
+            if (m->row[k] == j || (!column && !is_pinned(pins, part->begin + m->row[k]))) {
+                continue;
+            }
+            m->value[k] = 0;
+            if (part->P.value) {
+                part->P.value[2 * (size_t)k] = part->P.value[2 * (size_t)k + 1] = 0;
             }
         }
     }
 }
 
-status stiffness_order(const stiffness *s, int *permutation)
+void stiffness_pin(stiffness *s, const stiffness_pins *pins)
+{
+    for (int k = 0; k < s->npart; k++) {
+        pin_part(&s->part[k], pins);
+    }
+}
+
+// --- factors
+
+void stiffness_factor_free(stiffness_factor *f)
+{
+    cholesky_free(f->part[0]);
+    cholesky_free(f->part[1]);
+    *f = (stiffness_factor){0};
+}
+
+status stiffness_factor_make(const stiffness *s, bool wave, const int *order, stiffness_factor *out)
 {
     status st = OK;
-    int *nodes = NULL;
-    const int n = s->nnode;
-    TRY(TAKE(nodes, (size_t)n));
-    TRY(cholesky_order(&s->graph, nodes));
-    for (int i = 0; i < n; i++) {
-        permutation[2 * i] = 2 * nodes[i];
-        permutation[2 * i + 1] = 2 * nodes[i] + 1;
-        permutation[2 * n + i] = 2 * n + nodes[i];
+    int *spread = NULL;
+    stiffness_factor f = {.npart = s->npart, .nunknown = 3 * s->nnode, .wave = wave};
+    TRY(TAKE(spread, 3 * (size_t)s->nnode));
+    for (int k = 0; k < s->npart; k++) {
+        const stiffness_part *part = &s->part[k];
+        for (int u = 0; u < part->width * s->nnode; u++) {
+            spread[u] = part->width * order[u / part->width] + u % part->width;
+        }
+        f.begin[k] = part->begin;
+        TRY(cholesky_make(wave ? &part->P : &part->E, spread, &f.part[k]));
+    }
+    *out = f;
+    f = (stiffness_factor){0};
+
+done:
+    free(spread);
+    stiffness_factor_free(&f);
+    return st;
+}
+
+status stiffness_solve(const stiffness_factor *f, int nrhs, const double *b, double *x)
+{
+    status st = OK;
+    for (int k = 0; k < f->npart; k++) {
+        const int at = (f->wave ? 2 : 1) * f->begin[k];
+        TRY(cholesky_solve(f->part[k], nrhs, f->nunknown, b + at, x + at));
     }
 
 done:
-    free(nodes);
     return st;
 }

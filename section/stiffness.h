@@ -1,33 +1,44 @@
 // section/stiffness.h
-// The plane matrix E = int B^T Q B of (3.1), sparse. Isotropic materials do not couple the in-plane
-// displacement with the one along z, so the unknowns are ordered (x, y of node 0, x, y of node 1,
-// ..., z of node 0, z of node 1, ...).
+// The plane matrix E = int B^T Q B of (3.1), sparse, and its factors.
+//
+// Where no material couples the in-plane displacement with the one along z and nothing turns, these
+// are two problems: the matrix has two parts, with unknowns (x, y of node 0, x, y of node 1, ...)
+// and (z of node 0, ...). Else one part: (x, y, z of node 0, ...). The vectors of all parts follow
+// one another.
 #pragma once
 
 #include "section/cholmod_door.h"
+#include "section/kernel.h"
 #include "section/plane.h"
 
 #include <stdbool.h>
 
-// component 0, 1, 2 of a node's displacement among 3 * nnode unknowns
-static inline int warping_unknown(int nnode, int node, int component)
-{
-    return component < 2 ? 2 * node + component : 2 * nnode + node;
-}
+typedef struct stiffness_part {
+    int first, width; // which components of a node's displacement
+    int begin;        // of its unknowns among all 3 nnode
+    sparse_lower E;   // (3.1), with the turning derivative of (3.9)
+    sparse_lower P;   // (3.12), complex, the pattern borrowed from E; no values where nothing turns
+} stiffness_part;
 
-// Which nodes share an element, as a lower triangle, and from it the pattern of E.
 typedef struct stiffness {
-    int nnode;
-    sparse_lower graph;  // of the nodes, no values
-    sparse_lower matrix; // of the unknowns
-    int *where;          // [nnode] work: place of a row in the graph's column at hand
+    int nnode, npart;
+    stiffness_part part[2];
+    sparse_lower graph; // of the nodes, no values
+    int *where;         // [nnode] work: place of a row in the graph's column at hand
 } stiffness;
 
-status stiffness_make(const mesh *m, stiffness *out); // values zero
+static inline int stiffness_unknown(const stiffness *s, int node, int component)
+{
+    const stiffness_part *p = &s->part[s->npart == 2 && component == 2];
+    return p->begin + p->width * node + component - p->first;
+}
+
+// values zero; split: two parts; turning: with P
+status stiffness_make(const mesh *m, bool split, bool turning, stiffness *out);
 void stiffness_free(stiffness *s);
 
-// Adds one element's int B^T Q B with Lame's lambda and the shear modulus G.
-void stiffness_add(stiffness *s, const plane_element *e, double lambda, double G);
+// Adds one element's blocks.
+void stiffness_add(stiffness *s, const plane_element *e, const element_blocks *blocks);
 
 // Four unknowns that hold the section against the motions that do not strain it: three translations
 // and the rotation about z. Their rows and columns become those of a diagonal matrix.
@@ -35,8 +46,21 @@ typedef struct stiffness_pins {
     int unknown[4];
 } stiffness_pins;
 
-stiffness_pins stiffness_choose_pins(const plane *p);
+stiffness_pins stiffness_choose_pins(const stiffness *s, const plane *p);
 void stiffness_pin(stiffness *s, const stiffness_pins *pins);
 
-// A fill-reducing order of the nodes, spread to their unknowns: permutation[new] = old, [3 nnode].
-status stiffness_order(const stiffness *s, int *permutation);
+// Factors of E, or of P, in a fill-reducing order of the nodes.
+typedef struct stiffness_factor {
+    int npart, nunknown;
+    bool wave;
+    cholesky *part[2];
+    int begin[2];
+} stiffness_factor;
+
+// order: of the nodes, by cholesky_order of the graph
+status stiffness_factor_make(const stiffness *s, bool wave, const int *order,
+                             stiffness_factor *out);
+void stiffness_factor_free(stiffness_factor *f);
+
+// x = E^-1 b for nrhs columns, both [nrhs][3 nnode], of pairs for P; they may be the same.
+status stiffness_solve(const stiffness_factor *f, int nrhs, const double *b, double *x);

@@ -34,12 +34,12 @@ static void solves_several_columns(void)
         b[i] = 1;
         b[N + i] = 2;
     }
-    CHECK_OK(cholesky_solve(c, 2, b, x));
+    CHECK_OK(cholesky_solve(c, 2, N, b, x));
     for (int i = 0; i < N; i++) {
         CHECK_NEAR(x[i], (i + 1) * (N - i) / 2.0, 1e-12);
         CHECK_NEAR(x[N + i], (i + 1) * (N - i), 1e-12);
     }
-    CHECK_OK(cholesky_solve(c, 2, b, b));
+    CHECK_OK(cholesky_solve(c, 2, N, b, b));
     CHECK(b[N + 7] == x[N + 7]);
     cholesky_free(c);
 }

@@ -1,0 +1,206 @@
+// Sections whose pattern turns along the rod, docs/theory.md (3.9)-(3.14): against another code's
+// table, against a helical wire in closed form, and against what symmetry says.
+#include "tests/verify/section/hand_meshes.h"
+#include "tests/verify/section/turning_table.h"
+
+#include "base/dense.h"
+
+static beam_law turning_law(const mesh *m, const material *materials, double rate)
+{
+    beam_law law = {0};
+    CHECK_OK(section_turning_mesh(m, materials, rate, &law, NULL));
+    return law;
+}
+
+static mesh prototype_mesh(double width, int order, double size)
+{
+    prototype p;
+    mesh m = {0};
+    const mesh_options options = {.kind = MESH_MAPPED, .order = order, .size = size};
+    prototype_set(&p, 2, 0, width);
+    CHECK_OK(section_mesh_make(&p.all, &options, &m));
+    return m;
+}
+
+// Where the material changes at the free surface the field is singular, and a fast pattern feels
+// it: all meshes below agree with the table to 1e-6 while the rate is small, and drift off it to
+// 2e-4 at 0.2 rad/mm as they are refined. The table is that of a mesh too. Two meshes as fine as
+// it, of different order, give every row; a finer one lies 1e-4 to 3e-4 below it at most.
+static void agrees_with_the_table(void)
+{
+    material two[2];
+    double furthest = 0;
+    prototype_materials(0.3, 0.3, two);
+    for (size_t k = 0; k < sizeof turning_table / sizeof *turning_table; k++) {
+        const turning_row *r = &turning_table[k];
+        const mat6 wanted = from_mm(turning_stiffness(r));
+        static const int order[3] = {3, 4, 4};
+        static const double size[3] = {3e-4, 5e-4, 0};
+        double error[3];
+        for (int i = 0; i < 3; i++) {
+            mesh m = prototype_mesh(r->width, order[i], size[i]);
+            const beam_law law = turning_law(&m, two, 1e3 * r->rate);
+            error[i] = mat6_relative_error(law.K, wanted);
+            mesh_free(&m);
+        }
+        printf("sector %.3f rad, rate %.4f rad/mm: K %.2e, %.2e, graded %.2e\n", r->width, r->rate,
+               error[0], error[1], error[2]);
+        CHECK(error[0] < 2e-5);
+        CHECK(error[1] < 2e-5);
+        CHECK(error[2] < (r->rate < 0.03 ? 2e-5 : 3e-4));
+        furthest = fmax(furthest, error[2]);
+    }
+    CHECK(furthest > 1e-4);
+}
+
+// T K T of a diagonal T
+static mat6 with_signs(mat6 K, const double *sign)
+{
+    for (int i = 0; i < 36; i++) {
+        K.a[i / 6][i % 6] *= sign[i / 6] * sign[i % 6];
+    }
+    return K;
+}
+
+static void place_lopsided(double u, double v, double *xyz)
+{
+    const double angle = 2.2 * (1 - u), r = 2e-3 + 2e-3 * v;
+    xyz[0] = r * cos(angle) + 1e-3;
+    xyz[1] = 1.3 * r * sin(angle) - 2e-3 + 3e-4 * u;
+    xyz[2] = 0;
+}
+
+static int lower_part(double u, double v)
+{
+    return u < 0.3 && v < 0.6;
+}
+
+static const lattice lopsided = {
+    .order = 3, .n0 = 8, .n1 = 4, .place = place_lopsided, .material = lower_part};
+static const material soft_and_stiff[2] = {{.E = 1e6, .nu = 0.42}, {.E = 2e7, .nu = 0.3}};
+
+// A mirror across the section turns rate to -rate and leaves an isotropic section as it is.
+static void turning_the_other_way_is_a_mirror_image(void)
+{
+    static const double sign[6] = {-1, -1, 1, 1, 1, -1};
+    mesh m = lattice_mesh(&lopsided);
+    const beam_law one = turning_law(&m, soft_and_stiff, 180);
+    const beam_law other = turning_law(&m, soft_and_stiff, -180);
+    CHECK(mat6_relative_error(with_signs(other.K, sign), one.K) < 1e-11);
+    // it does depend on the sense
+    CHECK(mat6_relative_error(other.K, one.K) > 1e-2);
+    mesh_free(&m);
+}
+
+// The turning section's solution is another way to the prismatic one: continuous to rounding, and
+// of first order in the rate.
+static void slow_turning_is_prismatic(void)
+{
+    mesh m = lattice_mesh(&lopsided);
+    const beam_law still = turning_law(&m, soft_and_stiff, 0);
+    const double rates[] = {1e-9, 1e-6, 1e-3, 1e-2};
+    const double slope = mat6_relative_error(turning_law(&m, soft_and_stiff, 0.1).K, still.K) / 0.1;
+    for (int k = 0; k < 4; k++) {
+        const beam_law slow = turning_law(&m, soft_and_stiff, rates[k]);
+        const double change = mat6_relative_error(slow.K, still.K);
+        printf("rate %.0e rad/m: K changes by %.2e\n", rates[k], change);
+        CHECK_WITHIN(change, slope * rates[k], 1e-2 * slope * rates[k] + 1e-11);
+    }
+    mesh_free(&m);
+}
+
+// A homogeneous annulus looks the same however it turns.
+static void nothing_turns_in_an_annulus(void)
+{
+    prototype p;
+    material two[2];
+    mesh m = {0};
+    const mesh_options options = {.kind = MESH_MAPPED, .order = 4, .size = 4e-4};
+    prototype_set(&p, 1, 0, 0);
+    prototype_materials(0.3, 0.3, two);
+    CHECK_OK(section_mesh_make(&p.all, &options, &m));
+    const beam_law still = turning_law(&m, two, 0), fast = turning_law(&m, two, 600);
+    const double error = mat6_relative_error(fast.K, still.K);
+    printf("annulus at 600 rad/m: K %.2e\n", error);
+    CHECK(error < 1e-8);
+    mesh_free(&m);
+}
+
+// --- a wire wound to a helix
+
+enum { WIRE_RADIUS_UM = 50, COIL_RADIUS_UM = 5000 };
+
+// a disc of the wire's radius about (coil radius, 0), from a square lattice
+static void place_in_wire(double u, double v, double *xyz)
+{
+    const double a = 2 * u - 1, b = 2 * v - 1;
+    xyz[0] = 1e-6 * (COIL_RADIUS_UM + WIRE_RADIUS_UM * a * sqrt(1 - b * b / 2));
+    xyz[1] = 1e-6 * (WIRE_RADIUS_UM * b * sqrt(1 - a * a / 2));
+    xyz[2] = 0;
+}
+
+// Compliance of a thin curved rod about the axis of its helix: the wire's normal section is an
+// ellipse with half axes r along the radius and r cos(alpha) across, and the wrench moves to its
+// centre.
+static mat6 helix_compliance(const material *m, double rate)
+{
+    const double r = 1e-6 * WIRE_RADIUS_UM, R = 1e-6 * COIL_RADIUS_UM;
+    const double length = sqrt(1 + R * R * rate * rate), b = r / length;
+    const double E = m->E, G = E / (2 * (1 + m->nu)), A = pi * r * b;
+    const double EI_radius = E * pi / 4 * r * b * b * b, EI_across = E * pi / 4 * r * r * r * b;
+    const double GJ = G * pi * r * r * r * b * b * b / (r * r + b * b);
+    const vec3 axis[3] = {{{1, 0, 0}}, // radius
+                          {{0, 1 / length, -R * rate / length}},
+                          {{0, R * rate / length, 1 / length}}}; // along the wire
+    const double soft[6] = {0, 0, 1 / (E * A), 1 / EI_radius, 1 / EI_across, 1 / GJ};
+    mat6 F = {0};
+    for (int k = 2; k < 6; k++) {
+        // the strain's part k of a unit wrench at the axis: the moment at c is m - c x n
+        double part[6] = {0};
+        const vec3 d = axis[k == 2 ? 2 : k - 3], c = {{R, 0, 0}}, dc = vec3_cross(d, c);
+        for (int i = 0; i < 3; i++) {
+            part[i] = k == 2 ? d.a[i] : -dc.a[i];
+            part[3 + i] = k == 2 ? 0 : d.a[i];
+        }
+        for (int i = 0; i < 36; i++) {
+            F.a[i / 6][i % 6] += length * soft[k] * part[i / 6] * part[i % 6];
+        }
+    }
+    return F;
+}
+
+// Far off the centre that it turns about: with the axis wrong, or the wrench's point, nothing fits.
+// Left out are the wire's curvature, (r / R)^2 = 1e-4, and its shear, so all of n_x: a force
+// through the wire's centre does nothing else.
+static void a_thin_helix_is_a_curved_rod(void)
+{
+    const lattice g = {
+        .order = 3, .n0 = 4, .n1 = 4, .place = place_in_wire, .material = one_material};
+    const material steel = {.E = 2e11, .nu = 0.3};
+    const double rates[] = {40, -100, 200, 400}; // R rate up to 2
+    mesh m = lattice_mesh(&g);
+    for (int k = 0; k < 4; k++) {
+        const beam_law law = turning_law(&m, &steel, rates[k]);
+        mat6 F;
+        CHECK(mat6_inverse_spd(law.K, &F));
+        mat6 wanted = helix_compliance(&steel, rates[k]);
+        for (int i = 0; i < 6; i++) {
+            wanted.a[NX][i] = F.a[NX][i];
+            wanted.a[i][NX] = F.a[i][NX];
+        }
+        const double error = mat6_relative_error(wanted, F);
+        printf("helix, R rate %.1f: F %.2e\n", 1e-6 * COIL_RADIUS_UM * rates[k], error);
+        CHECK(error < 1e-3);
+    }
+    mesh_free(&m);
+}
+
+int main(void)
+{
+    agrees_with_the_table();
+    turning_the_other_way_is_a_mirror_image();
+    slow_turning_is_prismatic();
+    nothing_turns_in_an_annulus();
+    a_thin_helix_is_a_curved_rod();
+    return test_failures != 0;
+}
