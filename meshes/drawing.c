@@ -13,9 +13,17 @@ struct drawing {
 
 extern const drawing_kind png_drawing, msh_drawing, step_drawing, dxf_drawing, geo_drawing;
 
+double drawing_unit_size(int unit)
+{
+    static const double sizes[] = {1e-3, 1, 1e-2, 1e-6, 25.4e-3};
+    return sizes[unit];
+}
+
 static const drawing_kind *kind_of(const drawing_files *f)
 {
-    (void)f;
+    if (mark_given(f->msh.at)) {
+        return &msh_drawing;
+    }
     return NULL;
 }
 

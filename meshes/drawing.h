@@ -9,6 +9,7 @@
 #include "meshes/shape.h"
 
 typedef enum drawing_unit { UNIT_MM, UNIT_M, UNIT_CM, UNIT_UM, UNIT_IN } drawing_unit;
+double drawing_unit_size(int unit); // [m]
 
 // Which part of the file is of which material: by its name (a physical group, a layer, a body) or
 // its colour. A part whose name is a material's needs no entry.

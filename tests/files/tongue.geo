@@ -1,0 +1,22 @@
+// A rectangle of quadrangles and half a disc of triangles: what the tongue_*.msh beside it hold.
+Point(1) = {-1, -0.5, 0};
+Point(2) = {0, -0.5, 0};
+Point(3) = {0, 0.5, 0};
+Point(4) = {-1, 0.5, 0};
+Point(5) = {0.5, 0, 0};
+Point(6) = {0, 0, 0};
+Line(1) = {1, 2};
+Line(2) = {2, 3};
+Line(3) = {3, 4};
+Line(4) = {4, 1};
+Circle(5) = {2, 6, 5};
+Circle(6) = {5, 6, 3};
+Curve Loop(1) = {1, 2, 3, 4};
+Plane Surface(1) = {1};
+Curve Loop(2) = {5, 6, -2};
+Plane Surface(2) = {2};
+Transfinite Curve {1, 2, 3, 4, 5, 6} = 3;
+Transfinite Surface {1};
+Recombine Surface {1};
+Physical Surface("stiff") = {1};
+Physical Surface("soft") = {2};
