@@ -40,10 +40,24 @@ mat6 material_stiffness(const material *m)
     return material_stiffness_along(m, unturned);
 }
 
+static bool is_modulus(double E)
+{
+    return E >= MATERIAL_SMALLEST_MODULUS && E <= MATERIAL_LARGEST_MODULUS;
+}
+
 material material_at(const material *m, double s)
 {
     material frozen = *m;
     frozen.modulus.s = s;
+    if (material_varies(m) && !material_is_graded(m)) {
+        const double E = place_field_at(&frozen.modulus, 0, 0);
+        if (is_modulus(E)) {
+            frozen.E = E;
+            frozen.modulus = (place_field){.value = E};
+        } else {
+            frozen.modulus.across = true; // whoever looks at a place refuses it
+        }
+    }
     return frozen;
 }
 
@@ -56,7 +70,7 @@ status material_check_grade(const material *m, double x, double y, double *grade
 {
     *grade = material_grade(m, x, y);
     const double E = *grade * m->E;
-    if (E >= MATERIAL_SMALLEST_MODULUS && E <= MATERIAL_LARGEST_MODULUS) {
+    if (is_modulus(E)) {
         return OK;
     }
     return status_fail_at(ERR_INPUT, m->at.line, m->at.column,

@@ -27,6 +27,18 @@ static bool is_concentric(const section_outline *o)
     return o->count > 0;
 }
 
+// one modulus per shape, without directions
+static bool is_uniform(const section_outline *o, const material *materials)
+{
+    for (int i = 0; i < o->count; i++) {
+        const material *m = o->items[i].material >= 0 ? &materials[o->items[i].material] : NULL;
+        if (m && (m->kind != MATERIAL_ISOTROPIC || material_is_graded(m))) {
+            return false;
+        }
+    }
+    return true;
+}
+
 static int by_size(const void *a, const void *b)
 {
     const double x = *(const double *)a, y = *(const double *)b;
@@ -112,7 +124,7 @@ status section_classical_closed(const section_outline *o, const material *materi
 {
     status st = OK;
     polar_grid g = {0};
-    *done_here = is_concentric(o);
+    *done_here = is_concentric(o) && is_uniform(o, materials);
     if (!*done_here) {
         return OK;
     }
@@ -128,7 +140,8 @@ status section_classical_closed(const section_outline *o, const material *materi
             const int index = ring_material_at(o, (a + b) / 2, mid);
             if (index >= 0 && b > a && half > 0) {
                 const moments piece = cell_moments(a, b, mid, half, ring);
-                integrals_add(&sum, &piece, &materials[index]);
+                const rod_moduli moduli = rod_moduli_of(&materials[index], NULL);
+                integrals_add(&sum, &piece, &moduli, 1);
             }
         }
     }

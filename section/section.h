@@ -74,12 +74,13 @@ void section_case_release(section_case *c);
 // --- one section
 // ---------------------------------------------------------------------------------------------------
 
-// Classical: E-weighted integrals over the mesh (2.2)-(2.5), no factorization. G (Ixx + Iyy) about
+// Classical: E-weighted integrals over the mesh (2.2)-(2.5), (2.9), no factorization. G (Ixx + Iyy) about
 // the stiffness centre for torsion, int G for both shears, as the paper has it.
 status section_classical_mesh(const mesh *m, const material *materials, beam_law *out);
 
 // Classical without a mesh: exact integrals over concentric annuli, sectors and discs laid on one
-// another. *done = false where the outlines are of another kind.
+// another. *done = false where the outlines are of another kind, or a material is not isotropic or
+// is graded over x and y.
 status section_classical_closed(const section_outline *o, const material *materials, beam_law *out,
                                 bool *done);
 
