@@ -21,6 +21,9 @@ double drawing_unit_size(int unit)
 
 static const drawing_kind *kind_of(const drawing_files *f)
 {
+    if (mark_given(f->png.at)) {
+        return &png_drawing;
+    }
     if (mark_given(f->msh.at)) {
         return &msh_drawing;
     }
@@ -113,6 +116,6 @@ status drawing_mesh(const drawing *d, int slice, const mesh_options *options, me
 status drawing_mesh_coarser(const drawing *d, int slice, const mesh_options *options, mesh *out,
                             bool *found)
 {
-    *found = d->kind->coarser != NULL;
-    return *found ? d->kind->coarser(d->state, slice, options, out) : OK;
+    *found = false;
+    return d->kind->coarser ? d->kind->coarser(d->state, slice, options, out, found) : OK;
 }

@@ -26,6 +26,7 @@ typedef struct png_spec {
     key_list parts;  // of part_spec, by colour; transparent is no material
     double pitch[2]; // of a pixel along x and y [m]
     double layer;    // thickness of a slice, for a stack [m]
+    int first, last; // numbers of a stack's slices; 0: from 0 or 1 on, all there are
     int boundaries;  // 0 pixels, 1 smoothed
 } png_spec;
 
@@ -101,7 +102,8 @@ status drawing_reach(drawing *d, double *reach);
 status drawing_mesh(const drawing *d, int slice, const mesh_options *options, mesh *out);
 
 // The slice as the next coarser resolution of the file would have it (pixels twice as wide): what
-// the pixels are worth. *found false where the file has no resolution.
+// the pixels are worth. *found false where the file has no resolution, or where such pixels would
+// not hang together.
 status drawing_mesh_coarser(const drawing *d, int slice, const mesh_options *options, mesh *out,
                             bool *found);
 
@@ -115,5 +117,6 @@ typedef struct drawing_kind {
     double (*layer)(const void *state);                         // [m]; NULL: no stack
     status (*outline)(const void *state, section_outline *out); // NULL: none
     status (*mesh)(const void *state, int slice, const mesh_options *options, mesh *out);
-    status (*coarser)(const void *state, int slice, const mesh_options *options, mesh *out);
+    status (*coarser)(const void *state, int slice, const mesh_options *options, mesh *out,
+                      bool *found); // NULL: none
 } drawing_kind;

@@ -1,7 +1,7 @@
 // meshes/drawing_keys.c
 #include "meshes/drawing.h"
 
-enum { MOST_PARTS = 1000 };
+enum { MOST_PARTS = 1000, LAST_SLICE = 99999999 };
 
 #define COUNT(keys) ((int)(sizeof(keys) / sizeof *(keys)))
 
@@ -67,6 +67,17 @@ static const key png_key_list[] = {
      .max = 1,
      .offset = offsetof(png_spec, layer),
      .about = "thickness of a slice of a stack"},
+    {.name = "first",
+     .kind = KEY_INTEGER,
+     .max = LAST_SLICE,
+     .offset = offsetof(png_spec, first),
+     .about = "number of a stack's first slice, with `last`; without both it is 0 or 1, and the "
+              "files that are there are counted"},
+    {.name = "last",
+     .kind = KEY_INTEGER,
+     .max = LAST_SLICE,
+     .offset = offsetof(png_spec, last),
+     .about = "number of a stack's last slice"},
     {.name = "boundaries",
      .kind = KEY_CHOICE,
      .choices = "pixels|smoothed",

@@ -20,6 +20,7 @@ below() {
 foreign='yaml.h io/yaml_door.c
 muParserDLL.h io/expression.c
 hdf5.h io/hdf5_door_module.c
+png.h meshes/png_door.c
 gmshc.h meshes/gmsh_door_module.c
 cholmod.h section/cholmod_door.c
 petsc fem/petsc_door_module.c
