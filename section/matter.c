@@ -50,7 +50,7 @@ static status add_law(matter *m, int material, int frame, int next)
         .material = material,
         .frame = frame,
         .next = next,
-        .graded = material_is_graded(&m->materials[material]),
+        .graded = m->materials[material].modulus.at != NULL,
         .polar = polar,
         // a polar one beside its centre, where it has a direction
         .Q = stiffness_of(m, material, frame, polar ? f->centre[0] + 1 : 0,
@@ -141,18 +141,16 @@ static void place_of(const plane *p, const plane_element *e, int q, double *x, d
 
 static status grade(const material *m, const plane *p, const plane_element *e, double *weight)
 {
+    status st = OK;
     for (int q = 0; q < e->npoint; q++) {
-        double x, y;
+        double x, y, c;
         place_of(p, e, q, &x, &y);
-        const double c = material_grade(m, x, y);
-        if (!(c > 0) || !isfinite(c)) {
-            return status_fail_at(ERR_INPUT, m->at.line, m->at.column,
-                                  "material '%s': E is %g Pa at (%g, %g) mm, it must be positive",
-                                  m->name ? m->name : "", c * m->E, 1e3 * x, 1e3 * y);
-        }
+        TRY(material_check_grade(m, x, y, &c));
         weight[q] *= c;
     }
-    return OK;
+
+done:
+    return st;
 }
 
 status matter_at(const matter *m, const plane *p, const plane_element *e, matter_element *out)

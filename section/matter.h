@@ -13,7 +13,7 @@ enum { XX, YY, ZZ, YZ, XZ, XY };
 typedef struct matter_law {
     int material, frame; // frame -1: the section's own axes
     int next;            // the next law of the same frame, -1 at the end
-    bool graded;         // the modulus varies over the section
+    bool graded;         // the modulus is given over the place
     bool polar;          // the axes turn with the place: Q is only one of many
     mat6 Q;              // in units of matter.modulus
 } matter_law;
