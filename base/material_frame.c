@@ -46,3 +46,34 @@ mat6 material_frame_strain_map(mat3 axes)
     }
     return T;
 }
+
+static void turn_pair(double *x, double c, double s)
+{
+    const double a = x[0], b = x[1];
+    x[0] = c * a - s * b;
+    x[1] = s * a + c * b;
+}
+
+void material_frame_move(material_frame *f, double scale, double angle)
+{
+    const double c = cos(angle), s = sin(angle);
+    turn_pair(f->centre, scale * c, scale * s);
+    // a polar frame's axes are told from the circle, which turns with the section
+    for (int i = 0; i < 3 && !f->polar; i++) {
+        turn_pair(f->axes.a[i], c, s);
+    }
+}
+
+bool material_frame_is(const material_frame *a, const material_frame *b, double gap, double size)
+{
+    if (a->polar != b->polar) {
+        return false;
+    }
+    for (int i = 0; i < 9; i++) {
+        if (fabs(a->axes.a[i / 3][i % 3] - b->axes.a[i / 3][i % 3]) > gap) {
+            return false;
+        }
+    }
+    const double away = hypot(a->centre[0] - b->centre[0], a->centre[1] - b->centre[1]);
+    return !a->polar || away <= gap * size;
+}

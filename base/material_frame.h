@@ -26,3 +26,9 @@ mat3 material_frame_axes_at(const material_frame *f, double x, double y);
 // T of docs/theory.md (1.7): strains along the rows of `axes` = T strains in x, y, z, either in the
 // order 11 22 33 23 13 12 with engineering shear strains. A stiffness turns back as T^T Q T.
 mat6 material_frame_strain_map(mat3 axes);
+
+// The same directions after the section was scaled, then turned by `angle` [rad] about its origin.
+void material_frame_move(material_frame *f, double scale, double angle);
+
+// Whether two frames are one: axes to `gap`, centres to `gap` times `size` [m].
+bool material_frame_is(const material_frame *a, const material_frame *b, double gap, double size);

@@ -31,8 +31,19 @@ static void reverse_loop(double (*point)[2], int n)
     }
 }
 
+// axes of the section turn with it; a mirror has no meaning for them
+static void move_frame(const outline_motion *m, outline *o)
+{
+    if (m->angle != 0 && !o->has_frame) {
+        o->frame = material_frame_make(0, 0);
+        o->has_frame = true;
+    }
+    material_frame_move(&o->frame, m->scale, m->angle);
+}
+
 static void move_item(const outline_motion *m, outline *o)
 {
+    move_frame(m, o);
     move_point(m, o->centre);
     o->outer *= m->scale;
     o->inner *= m->scale;
@@ -125,8 +136,22 @@ static double turn_of_points(int n, const double *a, const double *b)
     return atan2(cross, dot);
 }
 
+// x and y of the three axes, as points
+static double turn_of_axes(const material_frame *a, const material_frame *b)
+{
+    double from[6], to[6];
+    for (int i = 0; i < 3; i++) {
+        memcpy(from + 2 * i, a->axes.a[i], 2 * sizeof *from);
+        memcpy(to + 2 * i, b->axes.a[i], 2 * sizeof *to);
+    }
+    return turn_of_points(3, from, to);
+}
+
 static void see_item(spin *s, const outline *a, const outline *b, double size)
 {
+    if (a->has_frame && b->has_frame && !a->frame.polar) {
+        see(s, turn_of_axes(&a->frame, &b->frame));
+    }
     const int n = a->nloop > 0 ? a->loop_start[a->nloop] : 0;
     if (n > 0) {
         see(s, turn_of_points(n, a->point, b->point));

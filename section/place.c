@@ -1,6 +1,7 @@
 // section/place.c
 #include "section/place.h"
 
+#include "base/memory.h"
 #include "meshes/outline_move.h"
 
 #include <math.h>
@@ -158,7 +159,34 @@ done:
 
 // --- meshes
 
-static void move_mesh(mesh *m, double scale, double angle)
+// directions for the elements that have the section's own: these turn with it
+static status give_frames(mesh *m)
+{
+    status st = OK;
+    material_frame *more = NULL;
+    const int n = m->nframe;
+    if (n == 0) {
+        TRY(mesh_take_frames(m, 1));
+    } else {
+        TRY(TAKE(more, (size_t)n + 1));
+        memcpy(more, m->frame, (size_t)n * sizeof *more);
+        free(m->frame);
+        m->frame = more;
+        m->nframe = n + 1;
+    }
+    m->frame[n] = material_frame_make(0, 0);
+    for (int b = 0; b < m->nblock; b++) {
+        for (int e = 0; e < m->block[b].nelem; e++) {
+            int *frame = &m->block[b].frame[e];
+            *frame = *frame < 0 ? n : *frame;
+        }
+    }
+
+done:
+    return st;
+}
+
+static void move_nodes(mesh *m, double scale, double angle)
 {
     const double c = scale * cos(angle), s = scale * sin(angle);
     for (int i = 0; i < m->nnode; i++) {
@@ -168,16 +196,7 @@ static void move_mesh(mesh *m, double scale, double angle)
         x[1] = s * a + c * b;
     }
     for (int k = 0; k < m->nframe; k++) {
-        material_frame *f = &m->frame[k];
-        const double cx = f->centre[0], cy = f->centre[1];
-        f->centre[0] = c * cx - s * cy;
-        f->centre[1] = s * cx + c * cy;
-        for (int i = 0; i < 3 && !f->polar; i++) {
-            double *axis = f->axes.a[i];
-            const double a = axis[0], b = axis[1];
-            axis[0] = cos(angle) * a - sin(angle) * b;
-            axis[1] = sin(angle) * a + cos(angle) * b;
-        }
+        material_frame_move(&m->frame[k], scale, angle);
     }
 }
 
@@ -185,13 +204,20 @@ status section_place_mesh(const section_case *c, const section_place *p,
                           const mesh_options *options, mesh *out)
 {
     status st = OK;
+    mesh m = {0};
     if (p->drawn) {
         return section_mesh_make(&p->outline, options, out);
     }
-    TRY(drawing_mesh(c->drawing, p->slice, options, out));
-    move_mesh(out, p->scale, p->turn);
+    TRY(drawing_mesh(c->drawing, p->slice, options, &m));
+    if (p->turn != 0) {
+        TRY(give_frames(&m));
+    }
+    move_nodes(&m, p->scale, p->turn);
+    *out = m;
+    m = (mesh){0};
 
 done:
+    mesh_free(&m);
     return st;
 }
 

@@ -100,6 +100,33 @@ done:
     return st;
 }
 
+static bool is_anisotropic(const section_store *store, const outline *o)
+{
+    return o->material >= 0 && o->material < store->request->nmaterial &&
+           store->materials[o->material].kind != MATERIAL_ISOTROPIC;
+}
+
+static material_frame frame_of(const outline *o)
+{
+    return o->has_frame ? o->frame : material_frame_make(0, 0);
+}
+
+// whether the directions of the materials turn with the outlines
+static bool directions_agree(const section_store *store, const section_outline *a,
+                             const section_outline *b, const likeness *k)
+{
+    for (int i = 0; i < a->count && store->traits.anisotropic; i++) {
+        material_frame from = frame_of(&a->items[i]);
+        const material_frame to = frame_of(&b->items[i]);
+        material_frame_move(&from, k->scale, b->turn - a->turn);
+        if (is_anisotropic(store, &a->items[i]) &&
+            !material_frame_is(&from, &to, same_outline, b->size)) {
+            return false;
+        }
+    }
+    return true;
+}
+
 static status is_like_outline(const section_store *store, const section_outline *a,
                               const section_outline *b, likeness *k, bool *alike)
 {
@@ -132,7 +159,8 @@ static status is_like(const section_store *store, const section_place *a, const 
     }
     if (a->drawn) {
         TRY(is_like_outline(store, &a->outline, &b->outline, k, alike));
-        *alike = *alike && rates_agree(a, b, k, a->outline.size);
+        *alike = *alike && rates_agree(a, b, k, a->outline.size) &&
+                 directions_agree(store, &a->outline, &b->outline, k);
         return OK;
     }
     *k = (likeness){.scale = b->scale / a->scale};
@@ -220,6 +248,18 @@ done:
     return st;
 }
 
+// What is graded over x and y, and materials with the section's own axes, stand still while the
+// outlines turn: no pattern that turns as a whole.
+static bool stands_still(const section_store *store, const section_place *p)
+{
+    bool still = store->traits.across;
+    for (int i = 0; i < p->outline.count && store->traits.anisotropic; i++) {
+        const outline *o = &p->outline.items[i];
+        still = still || (is_anisotropic(store, o) && !o->has_frame);
+    }
+    return still;
+}
+
 status section_store_law(section_store *store, double s, beam_law *turned, section_place *place)
 {
     status st = OK;
@@ -229,8 +269,7 @@ status section_store_law(section_store *store, double s, beam_law *turned, secti
     if (store->request->model == MODEL_CLASSICAL) {
         p.turn_rate = 0;
         p.uneven = false;
-    } else if (store->traits.across && p.turn_rate != 0) {
-        // what is graded over x and y stands still while the outlines turn
+    } else if (p.turn_rate != 0 && stands_still(store, &p)) {
         p.turn_rate = 0;
         p.uneven = true;
     }
