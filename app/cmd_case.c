@@ -10,6 +10,8 @@
 #include "app/save.h"
 #include "reports/figures.h"
 
+#include <unistd.h>
+
 typedef struct study {
     status (*need)(const case_data *c); // NULL: any case will do
     chain_parts (*parts)(const case_data *c);
@@ -43,13 +45,29 @@ done:
     return st;
 }
 
+// What the result that is about to be replaced holds solved; nothing where there is none, or none
+// that can be read.
+static void recall_sections(const command *cmd, section_known *known)
+{
+    char path[4096];
+    if (cmd->out && cmd->force) {
+        (void)snprintf(path, sizeof path, "%s/result.hdf", cmd->out);
+        if (access(path, R_OK) == 0 && result_known_read(path, known) != OK) {
+            status_clear();
+        }
+    }
+}
+
 static status do_study(command *cmd, const study *what)
 {
     status st = OK;
     case_data c = {0};
     run_result r = {0};
+    section_known known = {0};
 
     TRY(command_case(cmd, &c));
+    recall_sections(cmd, &known);
+    c.file.section.known = &known;
     TRY(what->need ? what->need(&c) : OK);
     TRY(save_check(cmd));
     chain_parts parts = what->parts(&c);
@@ -68,6 +86,7 @@ static status do_study(command *cmd, const study *what)
 
 done:
     run_result_free(&r);
+    section_known_free(&known);
     case_free(&c);
     return st;
 }

@@ -55,9 +55,12 @@ void print_section(const run_result *r)
 {
     static const char *const models[] = {"full (warping)", "classical"};
     const section_result *section = &r->section;
-    printf("section: %s, %d station%s, %d solved%s\n", models[r->section_model], section->nstation,
-           section->nstation == 1 ? "" : "s", section->effort.nsolved,
-           section->effort.meshed ? "" : " in closed form, no mesh");
+    char effort[SECTION_EFFORT_WORDS];
+    printf("section: %s, %d station%s, %s\n", models[r->section_model], section->nstation,
+           section->nstation == 1 ? "" : "s", section_effort_words(&section->effort, effort));
+    if (section->effort.uneven) {
+        printf("its shapes turn at different rates: K is that of a section that does not turn\n");
+    }
     printf("%9s %10s %8s %8s %8s %10s %10s %10s %8s %8s %8s\n", "s", "EA", "x_nc", "y_nc", "angle",
            "EI x'", "EI y'", "GJ", "x_sc", "y_sc", "error");
     printf("%9s %10s %8s %8s %8s %10s %10s %10s %8s %8s %8s\n", "mm", "N", "mm", "mm", "deg",

@@ -103,10 +103,12 @@ status page_section(bytes *page, const run_result *r, const char *dir)
          r->section_model == MODEL_CLASSICAL
              ? "Classical model: the paper's E-weighted integrals, without warping."
              : "Full model: warping solved on the mesh, any materials, all 36 stiffness entries.");
-    PAGE("%s ",
-         s->effort.meshed ? "Solved on curved elements." : "Closed form: no mesh was needed.");
-    PAGE("%d section%s solved for %d station%s.</p>\n", s->effort.nsolved,
-         s->effort.nsolved == 1 ? " was" : "s were", s->nstation, s->nstation == 1 ? "" : "s");
+    char effort[SECTION_EFFORT_WORDS];
+    PAGE("For %d station%s: %s.%s</p>\n", s->nstation, s->nstation == 1 ? "" : "s",
+         section_effort_words(&s->effort, effort),
+         s->effort.uneven
+             ? " Its shapes turn at different rates: K is that of a section that does not turn."
+             : "");
     TRY(page_figure(page, dir, "section", "The section at the first station, to scale."));
     TRY(stations(page, s));
     TRY(stiffness(page, &s->station[0]));

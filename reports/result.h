@@ -100,3 +100,6 @@ status result_csv(const run_result *r, const char *dir);
 // is damaged or not ours.
 status result_store_write(const run_result *r, const char *path);
 status result_store_read(const char *path, run_result *out);
+
+// Only the sections that a result holds solved: reports/store_known.c
+status result_known_read(const char *path, section_known *out);

@@ -104,6 +104,7 @@ status result_store_write(const run_result *r, const char *path)
     TRY(store_create(path, &s));
     const passage p = {.store = s, .path = path};
     TRY(pass_all(&p, &copy));
+    TRY(r->has_section ? store_write_known(s, path, &r->section.solved) : OK);
     TRY(store_write_grid(s, r));
     store *whole = s;
     s = NULL; // store_commit frees it

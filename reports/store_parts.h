@@ -35,6 +35,9 @@ status store_pass_section(const passage *p, run_result *r);
 status store_pass_rod(const passage *p, run_result *r);
 status store_pass_segment(const passage *p, run_result *r);
 
+// The solved sections' laws by fingerprint.
+status store_write_known(store *s, const char *path, const section_known *known);
+
 // /VTKHDF: the section's mesh and the deformed segments, with their names under part/. Nothing
 // where there is no mesh.
 status store_write_grid(store *s, const run_result *r);

@@ -56,6 +56,7 @@ static status pass_along(const passage *p, law_along *a)
 {
     static const column head[] = {
         {"relative_error", COLUMN_ANY, "-", offsetof(law_along, relative_error), 0, {0}, 0},
+        {"symmetric", COLUMN_FLAG, "-", offsetof(law_along, symmetric), 0, {0}, 0},
     };
     static const column laws[] = {
         {"K", COLUMN_REAL, STIFFNESS_UNIT, offsetof(beam_law, K), 2, {6, 6}, 0},

@@ -306,6 +306,8 @@ status section_along(const section_case *c, const material *materials, double le
     TRY(c->stations.nrow > 0 ? asked_stations(&store, &c->stations, length, &r)
                              : own_stations(&store, &r));
     r.effort = store.effort;
+    r.solved = store.laws;
+    store.laws = (section_known){0};
     *out = r;
     r = (section_result){0};
 
@@ -319,5 +321,6 @@ void section_result_free(section_result *r)
 {
     free(r->station);
     law_along_free(&r->along);
+    section_known_free(&r->solved);
     *r = (section_result){0};
 }

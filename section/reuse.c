@@ -3,9 +3,11 @@
 
 #include "base/memory.h"
 #include "meshes/outline_move.h"
+#include "section/known.h"
 #include "section/solve.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 // outlines nearer than this part of their size are one: contrast times this stays below 1e-10 of K
@@ -46,6 +48,7 @@ void section_store_free(section_store *store)
     }
     free(store->solved);
     free(store->frozen);
+    section_known_free(&store->laws);
     *store = (section_store){0};
 }
 
@@ -229,15 +232,37 @@ static const material *materials_at(section_store *store, double s)
     return store->frozen ? store->frozen : store->materials;
 }
 
+// the law in the body frame, from an earlier run or solved
+static status solve_or_recall(section_store *store, const section_place *p, beam_law *law)
+{
+    status st = OK;
+    hash key = {0};
+    bool comparable = false, meshed = false;
+    const section_case *c = store->request;
+    TRY(section_fingerprint(c, store->materials, p, &key, &comparable));
+    const beam_law *found = comparable && c->known ? section_known_find(c->known, key) : NULL;
+    if (found) {
+        *law = *found;
+        store->effort.nstored++;
+    } else {
+        TRY(section_solve_place(c, materials_at(store, p->s), p, law, &meshed));
+        store->effort.nsolved++;
+    }
+    store->effort.meshed = store->effort.meshed || meshed || found;
+    if (comparable) {
+        TRY(section_known_add(&store->laws, key, law));
+    }
+
+done:
+    return st;
+}
+
 static status solve_new(section_store *store, section_place *p, beam_law *turned)
 {
     status st = OK;
-    bool meshed = false;
     TRY(make_room(store));
-    TRY(section_solve_place(store->request, materials_at(store, p->s), p, turned, &meshed));
+    TRY(solve_or_recall(store, p, turned));
     turned->K = beam_law_move(turned->K, 0, 0, p->turn);
-    store->effort.meshed = store->effort.meshed || meshed;
-    store->effort.nsolved++;
 
     solved_section *new = &store->solved[store->count];
     *new = (solved_section){.place = *p, .turned = *turned};
@@ -284,4 +309,29 @@ status section_store_law(section_store *store, double s, beam_law *turned, secti
 done:
     section_place_free(&p);
     return st;
+}
+
+// --- in words
+
+const char *section_effort_words(const section_effort *e, char words[SECTION_EFFORT_WORDS])
+{
+    const struct {
+        int count;
+        const char *what;
+    } rest[] = {
+        {e->nstored, "unchanged since the last result"},
+        {e->nsame, "equal to others"},
+        {e->nturned, "turned copies"},
+        {e->nscaled, "scaled copies"},
+        {e->nmirrored, "mirrored copies"},
+    };
+    int at = snprintf(words, SECTION_EFFORT_WORDS, "%d section%s solved%s", e->nsolved,
+                      e->nsolved == 1 ? "" : "s", e->meshed ? "" : " in closed form, no mesh");
+    for (size_t i = 0; i < sizeof rest / sizeof *rest; i++) {
+        if (rest[i].count > 0 && at < SECTION_EFFORT_WORDS) {
+            at += snprintf(words + at, (size_t)(SECTION_EFFORT_WORDS - at), ", %d %s",
+                           rest[i].count, rest[i].what);
+        }
+    }
+    return words;
 }

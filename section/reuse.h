@@ -24,6 +24,7 @@ typedef struct section_store {
     material *frozen; // the materials at the place at hand; NULL where none is graded along s
     int count, capacity;
     solved_section *solved;
+    section_known laws; // of them, and of those found in request->known
     section_effort effort;
 } section_store;
 

@@ -3,6 +3,7 @@
 // sections 2 and 3.
 #pragma once
 
+#include "base/hash.h"
 #include "base/law_along.h"
 #include "base/material.h"
 #include "base/mesh.h"
@@ -34,6 +35,15 @@ typedef struct section_wrench {
 
 extern const key_table section_wrench_keys; // one entry of `section.wrenches`
 
+// Laws by the fingerprint of their sections, from an earlier run.
+typedef struct section_known {
+    int count, capacity;
+    hash *key;     // [count]
+    beam_law *law; // [count] in the body frame
+} section_known;
+status section_known_add(section_known *k, hash key, const beam_law *law);
+void section_known_free(section_known *k);
+
 typedef struct section_case {
     mark at;
     int model;           // section_model
@@ -50,7 +60,8 @@ typedef struct section_case {
     key_rows points; // [n][2] places about which K is asked for too [m]
     // by section_case_bind
     int nmaterial;
-    drawing *drawing; // the open file; NULL: shapes
+    drawing *drawing;           // the open file; NULL: shapes
+    const section_known *known; // the caller's; NULL: nothing is
 } section_case;
 
 extern const key_table section_keys; // `section`
@@ -134,6 +145,10 @@ typedef struct section_effort {
     bool uneven; // shapes turn at different rates somewhere: their K is as if nothing turned
 } section_effort;
 
+// "3 solved, 8 turned copies of these, 2 equal to others" and the like, in `words`.
+enum { SECTION_EFFORT_WORDS = 200 };
+const char *section_effort_words(const section_effort *e, char words[SECTION_EFFORT_WORDS]);
+
 typedef struct section_station {
     double s;         // [m]
     double turn_rate; // of the pattern, that K knows [rad/m]
@@ -147,6 +162,7 @@ typedef struct section_result {
         *station;    // the user's stations, else the interpolation's own nodes in order of s
     law_along along; // K(s) over [0, length]
     section_effort effort;
+    section_known solved; // for the next run
 } section_result;
 
 // length: the rod's (or the segment's where there is no rod). Chooses stations by the decay of

@@ -12,6 +12,15 @@ for file in result.hdf report.html case.yaml section.svg section.png rods.svg ro
 done
 cmp -s "$case" "$dir/case.yaml" || fail 'case.yaml is not the case'
 
+# a second run finds the sections that the first one solved; a changed one is solved anew
+expect 0 "$program" section "$case" --out "$work/results/again"
+out 'sections solved'
+expect 0 "$program" section "$case" --out "$work/results/again" --force
+out '0 sections solved, '
+out 'unchanged since the last result'
+expect 0 "$program" section "$case" --out "$work/results/again" --force --set materials.soft.nu=0.31
+grep -q 'unchanged since' "$work/out" && fail 'a changed material did not lead to new solves'
+
 # an existing directory stays, unless --force, and unless somebody else wrote it
 expect 2 "$program" run "$case" --out "$dir"
 err '--force'

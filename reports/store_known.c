@@ -1,0 +1,101 @@
+// reports/store_known.c
+// The laws of solved sections by fingerprint, for the next run into the same result.
+#include "base/memory.h"
+#include "reports/store_parts.h"
+
+#include <string.h>
+
+enum { MOST_KNOWN = 100000, PARTS = 8, PART_BITS = 16, PART_MOST = 65535 };
+
+// a fingerprint as small integers, which every store can hold
+typedef struct known_row {
+    int key[PARTS];
+    beam_law law;
+} known_row;
+
+static void take_apart(hash key, int part[PARTS])
+{
+    for (int i = 0; i < PARTS; i++) {
+        const uint64_t word = i < PARTS / 2 ? key.a : key.b;
+        part[i] = (int)(word >> (PART_BITS * (i % (PARTS / 2))) & PART_MOST);
+    }
+}
+
+static hash put_together(const int part[PARTS])
+{
+    hash key = {0};
+    for (int i = 0; i < PARTS; i++) {
+        uint64_t *word = i < PARTS / 2 ? &key.a : &key.b;
+        *word |= (uint64_t)part[i] << (PART_BITS * (i % (PARTS / 2)));
+    }
+    return key;
+}
+
+static status pass_rows(const passage *p, int n, known_row *rows)
+{
+    static const column columns[] = {
+        {"key", COLUMN_INT, "-", offsetof(known_row, key), 1, {PARTS}, PART_MOST},
+        {"K", COLUMN_REAL, STIFFNESS_UNIT, offsetof(known_row, law.K), 2, {6, 6}, 0},
+        {"area_m2", COLUMN_POSITIVE, "m^2", offsetof(known_row, law.area), 0, {0}, 0},
+        {"relative_error", COLUMN_ANY, "-", offsetof(known_row, law.relative_error), 0, {0}, 0},
+    };
+    return n == 0 ? OK
+                  : passage_columns(p, "section/known", COUNT_OF(columns), columns,
+                                    rows_of(rows, n, sizeof *rows));
+}
+
+status store_write_known(store *s, const char *path, const section_known *known)
+{
+    status st = OK;
+    known_row *rows = NULL;
+    const passage p = {.store = s, .path = path};
+    int n = known->count;
+    TRY(TAKE(rows, (size_t)n));
+    for (int i = 0; i < n; i++) {
+        take_apart(known->key[i], rows[i].key);
+        rows[i].law = known->law[i];
+    }
+    TRY(passage_count(&p, "section/known/count", 0, MOST_KNOWN, &n));
+    TRY(pass_rows(&p, n, rows));
+
+done:
+    free(rows);
+    return st;
+}
+
+static status read_known(const passage *p, section_known *out)
+{
+    status st = OK;
+    known_row *rows = NULL;
+    int n = 0;
+    TRY(passage_count(p, "section/known/count", 0, MOST_KNOWN, &n));
+    TRY(TAKE(rows, (size_t)n));
+    TRY(pass_rows(p, n, rows));
+    for (int i = 0; i < n; i++) {
+        TRY(beam_law_check(&rows[i].law));
+        TRY(section_known_add(out, put_together(rows[i].key), &rows[i].law));
+    }
+
+done:
+    free(rows);
+    return st;
+}
+
+status result_known_read(const char *path, section_known *out)
+{
+    status st = OK;
+    store *s = NULL;
+    section_known known = {0};
+    TRY(store_open(path, &s));
+    const passage p = {.store = s, .reading = true, .path = path};
+    if (store_has(s, "section/known/count")) {
+        TRY(read_known(&p, &known));
+    }
+    *out = known;
+    known = (section_known){0};
+
+done:
+    section_known_free(&known);
+    store_close(s);
+    return st;
+}
