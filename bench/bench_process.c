@@ -1,6 +1,8 @@
 // bench/bench_process.c
 // CPU time of whole processes: bench_process RUNS LIMIT_S LABEL COMMAND [ARG...]
 // Prints min, median and max of user + system time; exit code 1 when the median is above the limit.
+#include "bench/bench.h"
+
 #include <fcntl.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -63,7 +65,6 @@ int main(int argc, char **argv)
     }
     qsort(cpu, (size_t)runs, sizeof *cpu, by_size);
     const double median = cpu[runs / 2];
-    printf("%-44s %8.3f %8.3f %8.3f %8.3f  %s\n", argv[3], cpu[0], median, cpu[runs - 1], limit,
-           median <= limit ? "ok" : "OVER");
-    return median > limit;
+    printf("%-44s %8.3f %8.3f %8.3f %8.3f\n", argv[3], cpu[0], median, cpu[runs - 1], limit);
+    return bench_target(argv[3], median, limit, "s");
 }

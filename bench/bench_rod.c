@@ -1,6 +1,7 @@
 // bench/bench_rod.c
 // Time of one rod solve against the true error of its tip: the helical prototype (classical
 // section, nu = 0.45) under 0.98 N, its section from closed forms. Needs rodsolver and base only.
+#include "bench/bench.h"
 #include "rodsolver/rod.h"
 
 #include <math.h>
@@ -131,6 +132,7 @@ static status table(const law_along *law, int ntendon, const double *tension, do
         TRY(measure(law, ntendon, tension, tolerance, exact.tip.p, &f));
         printf("%10.0e %7d %13.2e %13.2e %7d %9.2f\n", tolerance, f.panels, f.error, f.estimate,
                f.steps, f.time);
+        bench_point(ntendon > 1 ? "two tendons" : "one tendon", 1e-3 * f.time, f.error / length);
         if (f.error <= 1e-6 && f.time < *quickest) {
             *quickest = f.time;
         }
@@ -147,22 +149,19 @@ int main(void)
     law_along law = {0};
     const double one[1] = {0.98}, two[2] = {0.98, 0.49};
     double quickest_one = 0, quickest_two = 0;
+    int missed = 0;
     TRY(helical_law(&law));
     TRY(table(&law, 2, two, &quickest_two));
     TRY(table(&law, 1, one, &quickest_one));
     printf("two tendons: %.2f us at <= 1e-6 m true tip error\n", quickest_two);
-    printf("helical_nc at 0.98 N: %.2f us at <= 1e-6 m true tip error, median of %d (target %g)\n",
-           quickest_one, REPEATS, target);
     // not reached where no tolerance got below 1e-6 m either
-    if (!(quickest_one <= target)) {
-        TRY(status_fail(ERR_NUMERIC, "one solve took %.2f us, the target is %g us", quickest_one,
-                        target));
-    }
+    missed = bench_target("one solve of helical_nc at 0.98 N to 1e-6 m, median", quickest_one,
+                          target, "us");
 
 done:
     if (st != OK) {
         fprintf(stderr, "bench_rod: %s\n", status_message());
     }
     law_along_free(&law);
-    return st != OK;
+    return st != OK || missed;
 }

@@ -1,0 +1,36 @@
+// bench/bench.h
+// What the benchmarks share: CPU time, verdicts on targets, and points for the pictures.
+#pragma once
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <time.h>
+
+// user and system time of this process [ms]
+static inline double bench_cpu_ms(void)
+{
+    struct timespec t;
+    (void)clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+    return 1e3 * (double)t.tv_sec + 1e-6 * (double)t.tv_nsec;
+}
+
+// "PASS what: 5.2 of 20 ms (x 0.26)"; 1 where it fails, a NaN too
+static inline int bench_target(const char *what, double value, double most, const char *unit)
+{
+    const int fails = !(value <= most);
+    printf("%s  %s: %.3g, at most %.3g %s (x %.2g)\n", fails ? "FAIL" : "PASS", what, value, most,
+           unit, value / most);
+    return fails;
+}
+
+// One point of the picture "CPU time against error" of this benchmark, also of a value that others
+// report. bench.sh names the file; without it nothing is written.
+static inline void bench_point(const char *series, double cpu_ms, double error)
+{
+    const char *path = getenv("STIFFAXIS_BENCH_POINTS");
+    FILE *file = path ? fopen(path, "a") : NULL;
+    if (file) {
+        (void)fprintf(file, "%s,%.6g,%.6g\n", series, cpu_ms, error);
+        (void)fclose(file);
+    }
+}

@@ -1,0 +1,202 @@
+// bench/bench_draw.c
+// CPU time against error, both axes logarithmic: bench_draw NAME POINTS.csv DIR writes DIR/NAME.svg
+// and .png. A line of the file is "series,cpu_ms,error".
+#include "base/memory.h"
+#include "reports/figure_kit.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { MOST_POINTS = 1000, MOST_SERIES = 16, NAME_SIZE = 48 };
+
+typedef struct point {
+    int series;
+    double time, error; // decades of ms and of the error
+} point;
+
+typedef struct chart {
+    int npoint, nseries;
+    point *point;
+    char series[MOST_SERIES][NAME_SIZE];
+} chart;
+
+static int series_index(chart *c, const char *name)
+{
+    for (int i = 0; i < c->nseries; i++) {
+        if (strcmp(c->series[i], name) == 0) {
+            return i;
+        }
+    }
+    if (c->nseries < MOST_SERIES) {
+        (void)snprintf(c->series[c->nseries++], NAME_SIZE, "%.*s", NAME_SIZE - 1, name);
+    }
+    return c->nseries - 1;
+}
+
+// a name may hold commas: the numbers are the last two fields
+static bool read_point(chart *c, char *line)
+{
+    for (int i = 0; i < 2; i++) {
+        char *comma = strrchr(line, ',');
+        if (!comma) {
+            return false;
+        }
+        *comma = '\0';
+        char *end = comma + 1;
+        const double value = strtod(comma + 1, &end);
+        if (end == comma + 1 || !(value > 0) || !isfinite(value)) {
+            return false;
+        }
+        *(i ? &c->point[c->npoint].time : &c->point[c->npoint].error) = log10(value);
+    }
+    c->point[c->npoint++].series = series_index(c, line);
+    return true;
+}
+
+static int by_time(const void *a, const void *b)
+{
+    const point *p = a, *q = b;
+    return p->series != q->series ? p->series - q->series
+                                  : (p->time > q->time) - (p->time < q->time);
+}
+
+static status read_points(const char *path, chart *c)
+{
+    status st = OK;
+    char line[256];
+    FILE *file = fopen(path, "r");
+    if (!file) {
+        return status_fail(ERR_FILE, "%s: cannot be read", path);
+    }
+    TRY(TAKE(c->point, MOST_POINTS));
+    // errors of exactly 0 have no place on a logarithmic axis
+    while (c->npoint < MOST_POINTS && fgets(line, sizeof line, file)) {
+        (void)read_point(c, line);
+    }
+    if (c->npoint == 0) {
+        TRY(status_fail(ERR_FILE, "%s: holds no points", path));
+    }
+    qsort(c->point, (size_t)c->npoint, sizeof *c->point, by_time);
+
+done:
+    (void)fclose(file);
+    return st;
+}
+
+static const char *power_of_ten(int n, char *text, size_t size)
+{
+    static const char *const digit[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+    const int m = abs(n);
+    (void)snprintf(text, size, "10%s%s%s", n < 0 ? "⁻" : "", m > 9 ? digit[m / 10 % 10] : "",
+                   digit[m % 10]);
+    return text;
+}
+
+static void frame(canvas *c, const plot *p)
+{
+    char text[32];
+    text_look upright = look_aligned(look_inked(LOOK_SMALL, INK), TEXT_CENTRE);
+    for (int n = (int)p->x0; n <= (int)p->x1; n++) {
+        canvas_segment(c, plot_x(p, n), p->at.y, plot_x(p, n), p->at.y + p->at.h);
+        canvas_stroke(c, INK_GRID, 0.8);
+        say(c, plot_x(p, n), p->at.y + p->at.h + 14, look_aligned(LOOK_TICK, TEXT_CENTRE), "%s",
+            power_of_ten(n, text, sizeof text));
+    }
+    for (int n = (int)p->y0; n <= (int)p->y1; n++) {
+        canvas_segment(c, p->at.x, plot_y(p, n), p->at.x + p->at.w, plot_y(p, n));
+        canvas_stroke(c, INK_GRID, 0.8);
+        say(c, p->at.x - 6, plot_y(p, n) + 3.7, look_aligned(LOOK_TICK, TEXT_RIGHT), "%s",
+            power_of_ten(n, text, sizeof text));
+    }
+    canvas_rectangle(c, p->at.x, p->at.y, p->at.w, p->at.h);
+    canvas_stroke(c, INK_FAINT, 0.9);
+    say(c, p->at.x + p->at.w / 2, p->at.y + p->at.h + 31, upright, "CPU time, ms");
+    upright.turn = -0.5 * acos(-1.0);
+    say(c, p->at.x - 42, p->at.y + p->at.h / 2, upright, "relative error");
+}
+
+// the inks come round: then hollow
+static void mark_at(canvas *c, double x, double y, int series)
+{
+    const colour ink = colour_series(series % 8);
+    canvas_circle(c, x, y, 3);
+    if (series < 8) {
+        canvas_fill(c, ink);
+    } else {
+        canvas_fill_stroke(c, (colour){1, 1, 1, 1}, ink, 1.4);
+    }
+}
+
+static void curve(canvas *c, const plot *p, const chart *data, int series)
+{
+    const colour ink = colour_series(series % 8);
+    int n = 0;
+    for (int i = 0; i < data->npoint; i++) {
+        const point *q = &data->point[i];
+        if (q->series == series) {
+            (n++ ? canvas_line : canvas_move)(c, plot_x(p, q->time), plot_y(p, q->error));
+        }
+    }
+    canvas_stroke(c, ink, 1.6);
+    for (int i = 0; i < data->npoint; i++) {
+        const point *q = &data->point[i];
+        if (q->series == series) {
+            mark_at(c, plot_x(p, q->time), plot_y(p, q->error), series);
+        }
+    }
+}
+
+// whole decades around all points
+static void decades(const chart *data, plot *p)
+{
+    *p = (plot){.at = p->at, INFINITY, -INFINITY, INFINITY, -INFINITY};
+    for (int i = 0; i < data->npoint; i++) {
+        const point *q = &data->point[i];
+        p->x0 = fmin(p->x0, floor(q->time));
+        p->x1 = fmax(p->x1, floor(q->time) + 1);
+        p->y0 = fmin(p->y0, floor(q->error));
+        p->y1 = fmax(p->y1, floor(q->error) + 1);
+    }
+}
+
+static status draw(canvas *c, const void *data)
+{
+    const chart *all = data;
+    plot p = {.at = {60, 16, 420, 360}};
+    decades(all, &p);
+    frame(c, &p);
+    for (int i = 0; i < all->nseries; i++) {
+        const double y = p.at.y + 12 + 18 * i, x = p.at.x + p.at.w + 16;
+        curve(c, &p, all, i);
+        mark_at(c, x, y - 4, i);
+        say(c, x + 10, y, LOOK_SMALL, "%s", all->series[i]);
+    }
+    return OK;
+}
+
+int main(int argc, char **argv)
+{
+    status st = OK;
+    chart data = {0};
+    if (argc != 4) {
+        fprintf(stderr, "usage: bench_draw NAME POINTS.csv DIR\n");
+        return 2;
+    }
+    TRY(read_points(argv[2], &data));
+    TRY(picture_write(&(picture){.name = argv[1],
+                                 .title = "CPU time against error",
+                                 .width = 680,
+                                 .height = 430,
+                                 .draw = draw,
+                                 .data = &data},
+                      argv[3]));
+
+done:
+    free(data.point);
+    if (st != OK) {
+        fprintf(stderr, "bench_draw: %s\n", status_message());
+    }
+    return st != OK;
+}
