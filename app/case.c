@@ -1,6 +1,8 @@
 // app/case.c
 #include "app/case.h"
 
+#include "fem/segment_material.h"
+
 #include <limits.h>
 #include <stdio.h>
 #include <string.h>
@@ -106,6 +108,15 @@ static void folder_of(const char *path, char *folder, size_t room)
     (void)snprintf(folder, room, "%.*s", (int)(length < room ? length : 0), path);
 }
 
+static bool varies(const case_data *c)
+{
+    bool any = section_varies(&c->file.section);
+    for (int i = 0; i < c->nmaterial; i++) {
+        any = any || material_varies(&c->materials[i]);
+    }
+    return any;
+}
+
 static status check_section(case_data *c)
 {
     const key_rows *stations = &c->file.section.stations;
@@ -129,7 +140,7 @@ static status check_section(case_data *c)
         c->length = section_own_length(&c->file.section);
     }
     if (c->length <= 0) {
-        if (section_varies(&c->file.section) && last <= 0) {
+        if (varies(c) && last <= 0) {
             return config_fail(c->config, c->file.section.at,
                                "the section varies along s, but nothing says how far: give "
                                "rod.length, fem.length or section.stations");
@@ -157,6 +168,22 @@ done:
     return st;
 }
 
+// those of shapes; of a file it is known with its mesh
+static status check_segment_materials(const case_data *c)
+{
+    status st = OK;
+    const shape_spec *shapes = c->file.section.shapes.items;
+    for (int i = 0; !c->file.section.drawing && i < c->file.section.shapes.count; i++) {
+        const int k = shapes[i].material_index;
+        if (k >= 0) {
+            TRY(case_place(c, segment_takes_material(&c->materials[k]), c->materials[k].at));
+        }
+    }
+
+done:
+    return st;
+}
+
 static status check_parts(case_data *c)
 {
     status st = OK;
@@ -170,6 +197,7 @@ static status check_parts(case_data *c)
     if (case_has_segment(c)) {
         where = c->file.fem.at;
         TRY(case_place(c, segment_case_check(&c->file.fem, &where), where));
+        TRY(check_segment_materials(c));
         if (c->file.fem.section_at > c->length) {
             st = config_fail(c->config, c->file.fem.at,
                              "the segment's section at %g mm lies beyond the rod's %g mm",

@@ -2,6 +2,7 @@
 #include "fem/column.h"
 
 #include "base/memory.h"
+#include "fem/segment_material.h"
 
 #include <math.h>
 #include <string.h>
@@ -57,6 +58,7 @@ status column_make(const mesh *plane, const material *materials, int order, int 
     if (plane->dim != 2 || nlevel <= c.order || (nlevel - 1) % c.order != 0) {
         TRY(status_fail(ERR_BUG, "segment: %d levels are no layers of order %d", nlevel, c.order));
     }
+    TRY(segment_check_materials(plane, materials));
     c.nlayer = (nlevel - 1) / c.order;
     TRY(element_make(SHAPE_LINE, c.order, &c.line));
     TRY(TAKE(c.level, (size_t)nlevel));

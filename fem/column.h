@@ -19,8 +19,8 @@ typedef struct column {
     basis_table table[MESH_MAX_BLOCKS]; // one per block of the plane mesh
 } column;
 
-// ERR_BUG where the levels are not those of whole layers of the order given. Borrows plane and
-// materials.
+// ERR_BUG where the levels are not those of whole layers of the order given, ERR_INPUT for
+// materials that the segment does not take. Borrows plane and materials.
 status column_make(const mesh *plane, const material *materials, int order, int nlevel,
                    const double *level, column *out);
 void column_free(column *c);

@@ -46,6 +46,36 @@ static void levels_off_their_places_are_refused(void)
     mesh_free(&plane);
 }
 
+static double one_at_a_place(const void *unused, double x, double y, double s)
+{
+    (void)unused, (void)x, (void)y, (void)s;
+    return 2.6;
+}
+
+static void directed_and_graded_materials_are_refused_by_name(void)
+{
+    const double level[] = {0, 1, 2};
+    const struct {
+        material m;
+        const char *words;
+    } cases[] = {
+        {{.name = "wood", .at = {3, 5}, .E = 1, .kind = MATERIAL_ORTHOTROPIC}, "'wood' is ortho"},
+        {{.name = "bone", .at = {3, 5}, .E = 1, .kind = MATERIAL_ANISOTROPIC}, "'bone' is aniso"},
+        {{.name = "skin", .at = {3, 5}, .E = 1, .modulus = {.at = one_at_a_place}}, "is graded"},
+    };
+    mesh plane = {0};
+    one_quad(1, &plane);
+    for (int i = 0; i < 3; i++) {
+        column c = {0};
+        int line = 0, place = 0;
+        CHECK(column_make(&plane, &cases[i].m, 1, 3, level, &c) == ERR_INPUT);
+        CHECK(strstr(status_message(), cases[i].words));
+        CHECK(status_place(&line, &place) && line == 3 && place == 5);
+        status_clear();
+    }
+    mesh_free(&plane);
+}
+
 // integrals of the basis functions' sum, 1, and of z' = sum of level N'
 static void line_matrices_integrate_polynomials(void)
 {
@@ -176,6 +206,7 @@ static void a_lower_column_has_the_same_layers(void)
 int main(void)
 {
     levels_off_their_places_are_refused();
+    directed_and_graded_materials_are_refused_by_name();
     line_matrices_integrate_polynomials();
     stiffness_stores_the_strain_energy();
     an_inverted_element_is_refused();
