@@ -85,8 +85,8 @@ void section_case_release(section_case *c);
 // --- one section
 // ---------------------------------------------------------------------------------------------------
 
-// Classical: E-weighted integrals over the mesh (2.2)-(2.5), (2.9), no factorization. G (Ixx + Iyy) about
-// the stiffness centre for torsion, int G for both shears, as the paper has it.
+// Classical: E-weighted integrals over the mesh (2.2)-(2.5), (2.9), no factorization. G (Ixx + Iyy)
+// about the stiffness centre for torsion, int G for both shears, as the paper has it.
 status section_classical_mesh(const mesh *m, const material *materials, beam_law *out);
 
 // Classical without a mesh: exact integrals over concentric annuli, sectors and discs laid on one
