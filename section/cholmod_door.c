@@ -4,6 +4,7 @@
 #include "base/memory.h"
 
 #include <cholmod.h>
+#include <omp.h>
 #include <string.h>
 
 struct cholesky {
@@ -42,6 +43,20 @@ static void quiet_start(cholmod_common *common)
     cholmod_start(common);
     common->print = 0;
     common->error_handler = NULL;
+}
+
+// CHOLMOD cuts its small dense products among threads that then wait for one another on the clock:
+// half of the time goes there. Until threads_back there are none.
+static int threads_off(void)
+{
+    const int levels = omp_get_max_active_levels();
+    omp_set_max_active_levels(0);
+    return levels;
+}
+
+static void threads_back(int levels)
+{
+    omp_set_max_active_levels(levels);
 }
 
 static cholmod_sparse view(const sparse_lower *a)
@@ -84,6 +99,7 @@ status cholesky_make(const sparse_lower *matrix, const int *permutation, cholesk
     status st = OK;
     cholesky *c = NULL;
     cholmod_sparse a = view(matrix);
+    const int threads = threads_off();
     TRY(TAKE(c, 1));
     quiet_start(&c->common);
     c->common.final_ll = 1; // small ones too: L D L^T would pass over negative pivots
@@ -104,6 +120,7 @@ status cholesky_make(const sparse_lower *matrix, const int *permutation, cholesk
     c = NULL;
 
 done:
+    threads_back(threads);
     cholesky_free(c);
     return st;
 }
@@ -121,6 +138,7 @@ status cholesky_solve(cholesky *c, int nrhs, int stride, const double *b, double
 {
     status st = OK;
     const size_t n = c->factor->n, pair = c->factor->xtype == CHOLMOD_REAL ? 1 : 2;
+    const int threads = threads_off();
     cholmod_dense right = {
         .nrow = n,
         .ncol = (size_t)nrhs,
@@ -140,6 +158,7 @@ status cholesky_solve(cholesky *c, int nrhs, int stride, const double *b, double
     }
 
 done:
+    threads_back(threads);
     cholmod_free_dense(&answer, &c->common);
     return st;
 }

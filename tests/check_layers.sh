@@ -23,6 +23,7 @@ hdf5.h io/hdf5_door_module.c
 png.h meshes/png_door.c
 gmshc.h meshes/gmsh_door_module.c
 cholmod.h section/cholmod_door.c
+omp.h section/cholmod_door.c
 petsc fem/petsc_door_module.c
 mpi.h fem/petsc_door_module.c
 cairo reports/cairo_door.c'
