@@ -1,17 +1,18 @@
 // meshes/curved.c
 #include "meshes/curved.h"
 
+#include "base/element.h"
 #include "base/memory.h"
-#include "meshes/outline.h"
 
 #include <math.h>
 #include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
 
-// a curve leaves its chord, and a circle is found again, to well above OpenCASCADE's own tolerance
-// of 1e-7
-static const double OWN_CIRCLE = 1e-6;
+#define PI 3.14159265358979323846
+
+// a curve is found again to well above OpenCASCADE's own tolerance of 1e-7
+static const double OWN_CURVE = 1e-6;
 // below this part of the chord a curve is straight to rounding
 static const double STRAIGHT = 1e-9;
 
@@ -19,46 +20,90 @@ void curved_sides_free(curved_sides *s)
 {
     edge_list_free(&s->edges);
     free(s->bend);
+    free(s->carrier);
     *s = (curved_sides){0};
 }
 
 static bool bends(const double *probe, double length)
 {
-    const double *mid = probe + CURVE_PROBES - 1, *end = probe + 2 * (CURVE_PROBES - 1);
+    const double *end = probe + 2 * (CURVE_PROBES - 1);
     const double dx = end[0] - probe[0], dy = end[1] - probe[1], chord = hypot(dx, dy);
-    if (chord < length / 2) {
-        return true;
+    double off = 0;
+    for (int i = 1; i < CURVE_PROBES - 1; i++) {
+        const double *x = probe + 2 * i;
+        off = fmax(off, fabs(dx * (x[1] - probe[1]) - dy * (x[0] - probe[0])));
     }
-    const double off = dx * (mid[1] - probe[1]) - dy * (mid[0] - probe[0]);
-    return fabs(off) > STRAIGHT * chord * chord;
+    return chord < length / 2 || off > STRAIGHT * chord * chord;
 }
 
-// the circle among the outlines on which the points lie best
-static status find_circle(const double *probe, const section_outline *o, double *centre)
+// the outlines' curves, in units of the section's size
+static status collect_carriers(const section_outline *o, curved_sides *s)
 {
-    double best = OWN_CIRCLE;
-    bool found = false;
+    status st = OK;
+    size_t most = 0;
+    for (int k = 0; k < o->count; k++) {
+        most +=
+            o->items[k].kind == KIND_LOOPS ? (size_t)o->items[k].loop_start[o->items[k].nloop] : 2;
+    }
+    TRY(TAKE(s->carrier, most));
     for (int k = 0; k < o->count; k++) {
         const outline *p = &o->items[k];
-        if (p->kind == KIND_RECTANGLE || p->kind == KIND_POLYGON) {
-            continue;
-        }
-        const double c[2] = {p->centre[0] / o->size, p->centre[1] / o->size};
-        for (int which = 0; which < 2; which++) {
-            const double r = (which ? p->inner : p->outer) / o->size;
-            double off = 0;
-            for (int i = 0; i < CURVE_PROBES; i++) {
-                const double d = hypot(probe[2 * i] - c[0], probe[2 * i + 1] - c[1]);
-                off = fmax(off, fabs(d - r));
+        for (int i = 0; p->kind == KIND_LOOPS && i < p->loop_start[p->nloop]; i++) {
+            if (p->piece[i].kind != CARRIER_LINE) {
+                s->carrier[s->ncarrier++] = carrier_scaled(&p->piece[i], 1 / o->size);
             }
-            if (r > 0 && off < best) {
-                best = off;
-                found = true;
-                memcpy(centre, c, sizeof c);
+        }
+        const double radius[2] = {p->nloop > 0 ? 0 : p->outer, p->nloop > 0 ? 0 : p->inner};
+        for (int i = 0; i < 2; i++) {
+            if (radius[i] > 0) {
+                const carrier c = carrier_arc(p->centre, radius[i], radius[i], 0, 0, 1);
+                s->carrier[s->ncarrier++] = carrier_scaled(&c, 1 / o->size);
             }
         }
     }
-    return found ? OK : status_fail(ERR_NUMERIC, "the free mesher bent a curve that no shape drew");
+
+done:
+    return st;
+}
+
+// largest distance of the points from a carrier, or more than `enough`
+static double distance_of(const double *probe, const carrier *c, double enough)
+{
+    double off = 0, t;
+    // the middle first: it tells most of them apart
+    for (int i = 0; i < CURVE_PROBES && off < enough; i++) {
+        const int k = (i + CURVE_PROBES / 2) % CURVE_PROBES;
+        off = fmax(off, carrier_distance(c, probe + 2 * (size_t)k, &t));
+    }
+    return off;
+}
+
+// the carrier on which the points lie best
+static status find_carrier(const double *probe, const curved_sides *s, int *on)
+{
+    double best = OWN_CURVE;
+    *on = -1;
+    for (int i = 0; i < s->ncarrier; i++) {
+        const double off = distance_of(probe, &s->carrier[i], best);
+        if (off < best) {
+            best = off;
+            *on = i;
+        }
+    }
+    return *on >= 0 ? OK
+                    : status_fail(ERR_NUMERIC, "the free mesher bent a curve that no shape drew");
+}
+
+// the parameters of an edge's ends; on an ellipse the short way
+static void find_ends(const plane_pieces *p, const curved_sides *s, int edge, bend *b)
+{
+    const carrier *c = &s->carrier[b->on];
+    for (int i = 0; i < 2; i++) {
+        (void)carrier_distance(c, p->xy + 2 * (size_t)s->edges.end[edge][i], &b->at[i]);
+    }
+    if (c->kind == CARRIER_ELLIPSE) {
+        b->at[1] = b->at[0] + remainder(b->at[1] - b->at[0], 2 * PI);
+    }
 }
 
 static int find_edge(const edge_list *e, int a, int b)
@@ -81,66 +126,101 @@ status curved_sides_make(const plane_pieces *pieces, const section_outline *o, c
 {
     status st = OK;
     curved_sides s = {0};
-    bend *of_curve = NULL;
+    int *on = NULL; // carrier of each curve
 
     TRY(edge_list_make(pieces->ntriangle, 3, pieces->corner, &s.edges));
     TRY(TAKE(s.bend, (size_t)s.edges.nedge));
-    TRY(TAKE(of_curve, (size_t)pieces->ncurve));
+    TRY(TAKE(on, (size_t)pieces->ncurve));
+    TRY(collect_carriers(o, &s));
     for (int i = 0; i < s.edges.nedge; i++) {
-        s.bend[i].curve = -1;
+        s.bend[i] = (bend){.curve = -1, .on = -1};
     }
     for (int i = 0; i < pieces->ncurve; i++) {
         const double *probe = pieces->probe + 2 * CURVE_PROBES * (size_t)i;
-        of_curve[i].curve = i;
-        of_curve[i].round = bends(probe, pieces->length[i]);
-        if (of_curve[i].round) {
-            TRY(find_circle(probe, o, of_curve[i].centre));
+        on[i] = -1;
+        if (bends(probe, pieces->length[i])) {
+            TRY(find_carrier(probe, &s, &on[i]));
         }
     }
     for (int i = 0; i < pieces->nsegment; i++) {
         const int edge = find_edge(&s.edges, pieces->segment[2 * i], pieces->segment[2 * i + 1]);
         // a curve may end in a face that was left out
         if (edge >= 0) {
-            s.bend[edge] = of_curve[pieces->curve[i]];
+            bend *b = &s.bend[edge];
+            b->curve = pieces->curve[i];
+            b->on = on[b->curve];
+            if (b->on >= 0) {
+                find_ends(pieces, &s, edge, b);
+            }
         }
     }
     *out = s;
     s = (curved_sides){0};
 
 done:
-    free(of_curve);
+    free(on);
     curved_sides_free(&s);
     return st;
 }
 
-// an arc from a to b about a centre, the short way; the radius runs linearly between those of its
-// ends
-typedef struct arc {
-    double centre[2], radius[2], from, angle;
-} arc;
+// A side from node a to node b. What its ends miss the carrier by is spread linearly, so that it
+// begins and ends in its nodes.
+typedef struct way {
+    const carrier *on; // NULL: straight
+    double from, to;
+    const double *a, *b;
+    double miss[2][2];
+} way;
 
-static arc arc_between(const double *centre, const double *a, const double *b)
+static way way_along(const plane_pieces *pieces, const curved_sides *s, int edge, int first)
 {
-    const double ax = a[0] - centre[0], ay = a[1] - centre[1];
-    const double bx = b[0] - centre[0], by = b[1] - centre[1];
-    return (arc){.centre = {centre[0], centre[1]},
-                 .radius = {hypot(ax, ay), hypot(bx, by)},
-                 .from = atan2(ay, ax),
-                 .angle = atan2(ax * by - ay * bx, ax * bx + ay * by)};
+    const bend *b = &s->bend[edge];
+    const int *end = s->edges.end[edge], back = end[0] != first;
+    way w = {.a = pieces->xy + 2 * (size_t)end[back], .b = pieces->xy + 2 * (size_t)end[!back]};
+    if (b->on >= 0) {
+        w.on = &s->carrier[b->on];
+        w.from = b->at[back];
+        w.to = b->at[!back];
+        carrier_point(w.on, w.from, w.miss[0]);
+        carrier_point(w.on, w.to, w.miss[1]);
+        for (int k = 0; k < 2; k++) {
+            w.miss[0][k] = w.a[k] - w.miss[0][k];
+            w.miss[1][k] = w.b[k] - w.miss[1][k];
+        }
+    }
+    return w;
 }
 
-// the point at t in [0, 1] of a side: on its arc, or on the straight line
-static void side_point(const bend *side, const double *a, const double *b, double t, double *x)
+// the point at t in [0, 1] of a side
+static void way_point(const way *w, double t, double *x)
 {
-    if (side->curve < 0 || !side->round) {
-        x[0] = a[0] + (b[0] - a[0]) * t;
-        x[1] = a[1] + (b[1] - a[1]) * t;
+    if (!w->on) {
+        x[0] = w->a[0] + (w->b[0] - w->a[0]) * t;
+        x[1] = w->a[1] + (w->b[1] - w->a[1]) * t;
         return;
     }
-    const arc c = arc_between(side->centre, a, b);
-    const double r = c.radius[0] + (c.radius[1] - c.radius[0]) * t, angle = c.from + c.angle * t;
-    x[0] = c.centre[0] + r * cos(angle);
-    x[1] = c.centre[1] + r * sin(angle);
+    carrier_point(w->on, w->from + (w->to - w->from) * t, x);
+    for (int k = 0; k < 2; k++) {
+        x[k] += w->miss[0][k] * (1 - t) + w->miss[1][k] * t;
+    }
+}
+
+// the area between the side and its chord, positive where the side bulges to the right
+static double way_area(const way *w)
+{
+    enum { POINTS = 12 }; // exact to rounding for arcs below a quarter turn
+    double t[POINTS], weight[POINTS], sum = 0;
+    gauss_legendre(POINTS, t, weight);
+    for (int q = 0; q < POINTS; q++) {
+        double x[2], slope[2];
+        way_point(w, (1 + t[q]) / 2, x);
+        carrier_slope(w->on, w->from + (w->to - w->from) * (1 + t[q]) / 2, slope);
+        for (int k = 0; k < 2; k++) {
+            slope[k] = slope[k] * (w->to - w->from) + w->miss[1][k] - w->miss[0][k];
+        }
+        sum += weight[q] / 4 * ((x[0] - w->a[0]) * slope[1] - (x[1] - w->a[1]) * slope[0]);
+    }
+    return sum;
 }
 
 double curved_triangle_area(const plane_pieces *pieces, const curved_sides *s, int triangle)
@@ -153,13 +233,17 @@ double curved_triangle_area(const plane_pieces *pieces, const curved_sides *s, i
     double area =
         ((x[1][0] - x[0][0]) * (x[2][1] - x[0][1]) - (x[2][0] - x[0][0]) * (x[1][1] - x[0][1])) / 2;
     for (int i = 0; i < 3; i++) {
-        const bend *side = &s->bend[s->edges.of[3 * triangle + i]];
-        if (side->curve >= 0 && side->round) {
-            const arc c = arc_between(side->centre, x[i], x[(i + 1) % 3]);
-            area += c.radius[0] * c.radius[1] * (c.angle - sin(c.angle)) / 2;
-        }
+        const way w = way_along(pieces, s, s->edges.of[3 * triangle + i], corner[i]);
+        area += w.on ? way_area(&w) : 0;
     }
     return area;
+}
+
+void curved_side_point(const plane_pieces *pieces, const curved_sides *s, int edge, double t,
+                       double *x)
+{
+    const way w = way_along(pieces, s, edge, s->edges.end[edge][0]);
+    way_point(&w, t, x);
 }
 
 // Straight position plus the sides' bulges, each faded out towards the opposite corner by 4 La Lb /
@@ -171,129 +255,13 @@ void curved_triangle_point(const plane_pieces *pieces, const curved_sides *s, in
     const int *corner = pieces->corner + 3 * (size_t)triangle;
     x[0] = x[1] = 0;
     for (int i = 0; i < 3; i++) {
-        const double *a = pieces->xy + 2 * (size_t)corner[i];
-        const double *b = pieces->xy + 2 * (size_t)corner[(i + 1) % 3];
-        const bend *side = &s->bend[s->edges.of[3 * triangle + i]];
+        const way w = way_along(pieces, s, s->edges.of[3 * triangle + i], corner[i]);
         const double la = bary[i], lb = bary[(i + 1) % 3], d = lb - la, t = (1 + d) / 2;
         const double fade = 4 * la * lb / (1 - d * d);
         double on[2];
-        side_point(side, a, b, t, on);
+        way_point(&w, t, on);
         for (int k = 0; k < 2; k++) {
-            x[k] += la * a[k] + fade * (on[k] - a[k] - (b[k] - a[k]) * t);
+            x[k] += la * w.a[k] + fade * (on[k] - w.a[k] - (w.b[k] - w.a[k]) * t);
         }
     }
-}
-
-// Numbers of a mesh of order p: corners first, then p - 1 nodes of each edge from its smaller
-// corner, then the insides.
-typedef struct numbering {
-    int p, ncorner, nedge;
-    int *corner; // [pieces->nnode] -1 where unused
-} numbering;
-
-// node k = 1..p-1 on side `i` of a triangle, counted from corner i
-static int edge_node(const numbering *w, const int *corner, const edge_list *e, int triangle, int i,
-                     int k)
-{
-    const int edge = e->of[3 * triangle + i];
-    const int from_low = corner[i] == e->end[edge][0] ? k : w->p - k;
-    return w->ncorner + edge * (w->p - 1) + from_low - 1;
-}
-
-// lattice node (i, j) of a triangle; `inside` counts the nodes inside
-static int lattice_node(const numbering *w, const int *corner, const edge_list *e, int triangle,
-                        int i, int j, int inside)
-{
-    const int p = w->p, k = p - i - j;
-    if (i == p || j == p || k == p) {
-        return w->corner[corner[i == p ? 1 : j == p ? 2 : 0]];
-    }
-    if (j == 0) {
-        return edge_node(w, corner, e, triangle, 0, i);
-    }
-    if (k == 0) {
-        return edge_node(w, corner, e, triangle, 1, j);
-    }
-    if (i == 0) {
-        return edge_node(w, corner, e, triangle, 2, p - j);
-    }
-    const int per = (p - 1) * (p - 2) / 2;
-    return w->ncorner + w->nedge * (p - 1) + triangle * per + inside;
-}
-
-static void place_edges(const plane_pieces *pieces, const curved_sides *s, const numbering *w,
-                        const element *e, double scale, mesh *m)
-{
-    for (int edge = 0; edge < w->nedge; edge++) {
-        const double *a = pieces->xy + 2 * (size_t)s->edges.end[edge][0];
-        const double *b = pieces->xy + 2 * (size_t)s->edges.end[edge][1];
-        for (int k = 1; k < w->p; k++) {
-            double *x = m->xyz + 3 * (size_t)(w->ncorner + edge * (w->p - 1) + k - 1);
-            // on the side j = 0 the first reference coordinate is the Lobatto point itself
-            side_point(&s->bend[edge], a, b, e->node[k][0], x);
-            x[0] *= scale;
-            x[1] *= scale;
-        }
-    }
-}
-
-static void place_triangle(const plane_pieces *pieces, const curved_sides *s, const numbering *w,
-                           const element *e, int triangle, double scale, mesh *m)
-{
-    const int *corner = pieces->corner + 3 * (size_t)triangle;
-    int *conn = m->block[0].conn + (size_t)triangle * (size_t)e->nnode;
-    int n = 0, inside = 0;
-    for (int j = 0; j <= w->p; j++) {
-        for (int i = 0; i <= w->p - j; i++, n++) {
-            conn[n] = lattice_node(w, corner, &s->edges, triangle, i, j, inside);
-            if (i > 0 && j > 0 && i + j < w->p) {
-                const double *at = e->node[n], bary[3] = {1 - at[0] - at[1], at[0], at[1]};
-                double *x = m->xyz + 3 * (size_t)conn[n];
-                curved_triangle_point(pieces, s, triangle, bary, x);
-                x[0] *= scale;
-                x[1] *= scale;
-                inside++;
-            }
-        }
-    }
-}
-
-status curved_mesh_make(const plane_pieces *pieces, const section_outline *o, const curved_sides *s,
-                        int order, mesh *out)
-{
-    status st = OK;
-    element e = {0};
-    numbering w = {.p = order, .nedge = s->edges.nedge};
-    mesh m = {0};
-    const shape triangle = SHAPE_TRIANGLE;
-    const int n = pieces->ntriangle;
-    const double scale = o->size;
-
-    TRY(element_make(SHAPE_TRIANGLE, order, &e));
-    TRY(TAKE(w.corner, (size_t)pieces->nnode));
-    memset(w.corner, 0xff, (size_t)pieces->nnode * sizeof *w.corner);
-    for (int i = 0; i < 3 * n; i++) {
-        int *at = &w.corner[pieces->corner[i]];
-        *at = *at < 0 ? w.ncorner++ : *at;
-    }
-    const int nnode = w.ncorner + w.nedge * (order - 1) + n * (order - 1) * (order - 2) / 2;
-    TRY(mesh_make(order, nnode, 1, &triangle, &n, &m));
-    for (int i = 0; i < pieces->nnode; i++) {
-        for (int d = 0; d < 2 && w.corner[i] >= 0; d++) {
-            m.xyz[3 * (size_t)w.corner[i] + (size_t)d] =
-                scale * pieces->xy[2 * (size_t)i + (size_t)d];
-        }
-    }
-    place_edges(pieces, s, &w, &e, scale, &m);
-    for (int k = 0; k < n; k++) {
-        place_triangle(pieces, s, &w, &e, k, scale, &m);
-        m.block[0].material[k] = o->items[pieces->owner[pieces->face[k]]].material;
-    }
-    *out = m;
-    m = (mesh){0};
-
-done:
-    free(w.corner);
-    mesh_free(&m);
-    return st;
 }

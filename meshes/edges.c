@@ -129,7 +129,7 @@ static status parts_fail(const mesh *m, int apart, int nside, const int *corner,
     for (int i = 0; i < m->block[0].nelem * nside; i++) {
         touches |= root_of(parent, i / nside) == root && first[corner[i]];
     }
-    st = outline_fail(&o->items[owner[apart]], owner[apart], "%s",
+    st = outline_fail(&o->items[owner[apart]], "%s",
                       touches ? "it touches the rest of the section in single points only"
                               : "a part of it does not touch the rest of the section");
 

@@ -55,7 +55,7 @@ static status refine_triangle(attempt *a, plane_request *r, int triangle)
         a->bad_face = a->pieces.face[triangle];
         a->at[0] = x[0];
         a->at[1] = x[1];
-        if (s->bend[edge].curve >= 0 && s->bend[edge].round && r->nsource < MOST_SOURCES) {
+        if (s->bend[edge].on >= 0 && r->nsource < MOST_SOURCES) {
             TRY(plane_add_source(r, (x[0] + y[0]) / 2, (x[1] + y[1]) / 2,
                                  hypot(y[0] - x[0], y[1] - x[1]) / 2));
         }
@@ -156,13 +156,13 @@ done:
 
 static status fail_at(const section_outline *o, const attempt *a)
 {
-    const int owner = a->pieces.owner[a->bad_face];
+    const outline *owner = &o->items[a->pieces.owner[a->bad_face]];
     if (a->lost) {
-        return outline_fail(&o->items[owner], owner,
+        return outline_fail(owner,
                             "an edge of it meets another edge at too small an angle or gap to be "
                             "meshed");
     }
-    return outline_fail(&o->items[owner], owner,
+    return outline_fail(owner,
                         "near (%g, %g) mm its edge meets another edge at too small an angle or gap "
                         "to be meshed",
                         a->at[0] * o->size * 1e3, a->at[1] * o->size * 1e3);

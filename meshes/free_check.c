@@ -91,9 +91,9 @@ status pieces_check_owners(const plane_pieces *p, const curved_sides *s, const s
     for (int f = 0; f < p->nface; f++) {
         if (!agrees[f]) {
             TRY(status_fail(ERR_NUMERIC,
-                            "the free mesher gave an area to shape %d that is not its; do edges of "
+                            "the free mesher gave an area to %s that is not its; do edges of "
                             "shapes all but coincide?",
-                            p->owner[f] + 1));
+                            o->items[p->owner[f]].called));
         }
     }
 

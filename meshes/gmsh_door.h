@@ -10,14 +10,17 @@
 
 typedef enum side_kind {
     SIDE_LINE,
-    SIDE_ARC,    // about `centre`, less than a half turn, the short way
-    SIDE_CIRCLE, // about `centre`, alone in its loop
+    SIDE_ARC,     // about `centre`, less than a half turn, the short way
+    SIDE_CIRCLE,  // about `centre`, alone in its loop
+    SIDE_ELLIPSE, // an arc of one, as a rational curve with one control point between its ends
+    SIDE_BEZIER,  // a cubic, with two control points between its ends
 } side_kind;
 
 // From `from` to where the loop's next side begins.
 typedef struct plane_side {
     side_kind kind;
     double from[2], centre[2];
+    double control[2][2], weight; // weight: of the rational curve's control point
 } plane_side;
 
 enum { CURVE_PROBES = 33 };
@@ -52,7 +55,7 @@ struct plane_request {
     int nsource;
     double *
         source; // [nsource][3] x, y and the edge length wanted there; it may grow with the distance
-    const section_outline *drawn;           // for messages; NULL: they name no place
+    const section_outline *drawn;           // for messages
     const section_outline *towards_corners; // NULL: edges do not become shorter towards corners
     const plane_pieces *known;              // faces and curves, for the questions below
     // Asked once before meshing, with faces and curves known; it keeps them in `known`. May refuse.

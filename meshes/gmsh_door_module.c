@@ -56,6 +56,31 @@ done:
 
 // --- shapes
 
+// with control points between its ends: a rational curve of degree 2, or a cubic
+static status add_controlled(const plane_side *s, int from, int to, int *curve)
+{
+    status st = OK;
+    const bool rational = s->kind == SIDE_ELLIPSE;
+    const int n = rational ? 3 : 4;
+    int points[4] = {from, to, to, to}, multiplicity[2] = {n, n};
+    double weights[4] = {1, rational ? s->weight : 1, 1, 1}, knots[2] = {0, 1};
+    for (int i = 1; i < n - 1; i++) {
+        const double *x = s->control[i - 1];
+        GMSH_TRY(points[i] = gmshModelOccAddPoint(x[0], x[1], 0, 0, -1, &ierr));
+    }
+    const size_t count = (size_t)n;
+    GMSH_TRY(*curve =
+                 gmshModelOccAddBSpline(points, count, -1, n - 1, weights, rational ? count : 0,
+                                        knots, 2, multiplicity, 2, &ierr));
+    for (int i = 1; i < n - 1; i++) {
+        int dim_tag[2] = {POINT, points[i]};
+        GMSH_TRY(gmshModelOccRemove(dim_tag, 2, 0, &ierr));
+    }
+
+done:
+    return st;
+}
+
 // from, to: points; not used by a full circle
 static status add_side(const plane_side *s, int from, int to, int *curve)
 {
@@ -67,6 +92,8 @@ static status add_side(const plane_side *s, int from, int to, int *curve)
     } else if (s->kind == SIDE_CIRCLE) {
         GMSH_TRY(*curve =
                      gmshModelOccAddCircle(c[0], c[1], 0, hypot(dx, dy), -1, a, a + 2 * PI, &ierr));
+    } else if (s->kind == SIDE_ELLIPSE || s->kind == SIDE_BEZIER) {
+        TRY(add_controlled(s, from, to, curve));
     } else {
         GMSH_TRY(middle[1] = gmshModelOccAddPoint(c[0], c[1], 0, 0, -1, &ierr));
         GMSH_TRY(*curve = gmshModelOccAddCircleArc(from, middle[1], to, -1, &ierr));

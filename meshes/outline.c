@@ -1,31 +1,23 @@
 // meshes/outline.c
 #include "meshes/outline.h"
 
+#include "meshes/loops.h"
 #include "meshes/polygon.h"
 
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
-#include <stdlib.h>
 
 #define PI 3.14159265358979323846
 
-const char *shape_kind_name(shape_kind kind)
-{
-    static const char *const names[KIND_COUNT] = {"annulus", "sector", "disc", "rectangle",
-                                                  "polygon"};
-    return names[kind];
-}
-
-status outline_fail(const outline *o, int index, const char *format, ...)
+status outline_fail(const outline *o, const char *format, ...)
 {
     char words[512];
     va_list args;
     va_start(args, format);
     (void)vsnprintf(words, sizeof words, format, args);
     va_end(args);
-    return status_fail_at(ERR_INPUT, o->at.line, o->at.column, "shape %d (%s): %s", index + 1,
-                          shape_kind_name(o->kind), words);
+    return status_fail_at(ERR_INPUT, o->at.line, o->at.column, "%s: %s", o->called, words);
 }
 
 double angle_fold(double angle)
@@ -72,6 +64,13 @@ bool outline_contains(const outline *o, double x, double y)
         }
         return inside;
     }
+    case KIND_LOOPS: {
+        bool inside = false;
+        for (int k = 0; k < o->nloop; k++) {
+            inside ^= curves_contain(outline_curves(o, k), x, y);
+        }
+        return inside;
+    }
     case KIND_COUNT:
         break;
     }
@@ -104,6 +103,9 @@ double outline_reach(const outline *o)
         }
         return reach;
     }
+    if (o->kind == KIND_LOOPS) {
+        return curves_reach(outline_curves(o, 0));
+    }
     return hypot(o->centre[0], o->centre[1]) + o->outer;
 }
 
@@ -119,6 +121,8 @@ static double thickness(const outline *o)
         return o->outer;
     case KIND_RECTANGLE:
         return fmin(o->size[0], o->size[1]);
+    case KIND_LOOPS:
+        return o->thickness;
     default:
         return INFINITY; // a polygon's edges were compared with one another
     }

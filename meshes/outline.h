@@ -12,12 +12,9 @@
 // printer makes them.
 #define OUTLINE_SLIVER 1e-5
 
-// "annulus", "sector", ...
-const char *shape_kind_name(shape_kind kind);
-
-// ERR_INPUT at the shape's place in the case: "shape 2 (sector): " + words; index from 0
-status outline_fail(const outline *o, int index, const char *format, ...)
-    __attribute__((format(printf, 3, 4)));
+// ERR_INPUT at the shape's place in the case: "shape 2 (sector): " + words
+status outline_fail(const outline *o, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
 
 // Edges count as inside, to rounding.
 bool outline_contains(const outline *o, double x, double y);

@@ -1,6 +1,7 @@
 // meshes/outline_turn.c
 #include "meshes/outline_turn.h"
 
+#include "meshes/loops.h"
 #include "meshes/outline.h"
 #include "meshes/polygon.h"
 
@@ -12,8 +13,7 @@ static int last_of(const section_outline *o, bool sectors)
 {
     int k = o->count - 1;
     while (k >= 0) {
-        const shape_kind kind = o->items[k].kind;
-        if (sectors ? kind == KIND_SECTOR : kind == KIND_RECTANGLE || kind == KIND_POLYGON) {
+        if (sectors ? o->items[k].kind == KIND_SECTOR : o->items[k].declares) {
             break;
         }
         k--;
@@ -76,6 +76,53 @@ static bool loop_lands_on(const motion *m, loop a, loop b)
     return false;
 }
 
+// three points tell two arcs of one kind apart, four two cubics
+static bool piece_lands_on(const motion *m, const carrier *a, const carrier *b)
+{
+    enum { POINTS = 4 };
+    if (a->kind != b->kind) {
+        return false;
+    }
+    for (int i = 0; i < POINTS; i++) {
+        const double part = i / (POINTS - 1.0);
+        double x[2], y[2];
+        carrier_point(a, a->from + (a->to - a->from) * part, x);
+        carrier_point(b, b->from + (b->to - b->from) * part, y);
+        if (!lands_on(m, x, y)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static bool curves_land_on(const motion *m, curve_loop a, curve_loop b)
+{
+    if (a.n != b.n) {
+        return false;
+    }
+    for (int start = 0; start < b.n; start++) {
+        int i = 0;
+        while (i < a.n) {
+            const carrier *p = &b.piece[((start + m->flip * i) % b.n + b.n) % b.n];
+            const carrier there = m->flip < 0 ? carrier_reversed(p) : *p;
+            if (!piece_lands_on(m, &a.piece[i], &there)) {
+                break;
+            }
+            i++;
+        }
+        if (i == a.n) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static bool one_lands_on(const motion *m, const outline *a, int k, const outline *b, int j)
+{
+    return a->kind == KIND_LOOPS ? curves_land_on(m, outline_curves(a, k), outline_curves(b, j))
+                                 : loop_lands_on(m, outline_loop(a, k), outline_loop(b, j));
+}
+
 static bool loops_land_on(const motion *m, const outline *a, const outline *b)
 {
     if (a->nloop != b->nloop) {
@@ -83,7 +130,7 @@ static bool loops_land_on(const motion *m, const outline *a, const outline *b)
     }
     for (int k = 0; k < a->nloop; k++) {
         int j = 0;
-        while (j < b->nloop && !loop_lands_on(m, outline_loop(a, k), outline_loop(b, j))) {
+        while (j < b->nloop && !one_lands_on(m, a, k, b, j)) {
             j++;
         }
         if (j == b->nloop) {
@@ -98,7 +145,7 @@ static bool shape_lands_on(const motion *m, const outline *a, const outline *b)
     if (a->kind != b->kind || a->material != b->material) {
         return false;
     }
-    if (a->kind == KIND_POLYGON) {
+    if (a->nloop > 0) {
         return loops_land_on(m, a, b);
     }
     if (!lands_on(m, a->centre, b->centre)) {

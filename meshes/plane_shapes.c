@@ -2,10 +2,12 @@
 #include "meshes/plane_shapes.h"
 
 #include "base/memory.h"
+#include "meshes/loops.h"
 #include "meshes/outline.h"
 #include "meshes/polygon.h"
 
 #include <math.h>
+#include <string.h>
 
 // a sector's arcs stay well below a half turn
 static const double LARGEST_ARC = 2;
@@ -117,9 +119,50 @@ static void add_polygon(writer *w, const outline *o)
     }
 }
 
+static bool is_circle(const carrier *c)
+{
+    const double *u = c->p[1], *v = c->p[2], a = hypot(u[0], u[1]), b = hypot(v[0], v[1]);
+    return fabs(a - b) <= OUTLINE_MERGE * a;
+}
+
+static void add_piece(writer *w, const carrier *c)
+{
+    const carrier unit = carrier_scaled(c, 1 / w->o->size);
+    double h[CARRIER_HULL][2];
+    plane_side s = {.kind = SIDE_LINE};
+    (void)carrier_hull(&unit, unit.from, unit.to, h);
+    memcpy(s.from, h[0], sizeof s.from);
+    if (c->kind == CARRIER_CUBIC) {
+        s.kind = SIDE_BEZIER;
+        memcpy(s.control, h[1], sizeof s.control);
+    } else if (c->kind == CARRIER_ELLIPSE && is_circle(c)) {
+        s.kind = SIDE_ARC;
+        memcpy(s.centre, unit.p[0], sizeof s.centre);
+    } else if (c->kind == CARRIER_ELLIPSE) {
+        s.kind = SIDE_ELLIPSE;
+        memcpy(s.control[0], h[1], sizeof s.control[0]);
+        s.weight = cos((c->to - c->from) / 2);
+    }
+    w->r->side[w->nside++] = s;
+}
+
+static void add_loops(writer *w, const outline *o)
+{
+    for (int k = 0; k < o->nloop; k++) {
+        const curve_loop a = outline_curves(o, k);
+        for (int i = 0; i < a.n; i++) {
+            add_piece(w, &a.piece[i]);
+        }
+        end_loop(w);
+    }
+}
+
 static void add_shape(writer *w, const outline *o)
 {
     switch (o->kind) {
+    case KIND_LOOPS:
+        add_loops(w, o);
+        break;
     case KIND_SECTOR:
         add_sector(w, o);
         break;
@@ -143,9 +186,8 @@ status plane_shapes_make(const section_outline *o, plane_request *out)
 
     for (int k = 0; k < o->count; k++) {
         const outline *p = &o->items[k];
-        const bool polygon = p->kind == KIND_POLYGON;
-        nloop += polygon ? (size_t)p->nloop : 2;
-        nside += polygon ? (size_t)p->loop_start[p->nloop] : SECTOR_SIDES;
+        nloop += p->nloop > 0 ? (size_t)p->nloop : 2;
+        nside += p->nloop > 0 ? (size_t)p->loop_start[p->nloop] : SECTOR_SIDES;
     }
     out->nshape = o->count;
     TRY(TAKE(out->cuts, (size_t)o->count));

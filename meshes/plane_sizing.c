@@ -18,8 +18,8 @@ status section_check_thickness(const section_outline *o)
     double part = 0;
     const int thinnest = section_thinnest_shape(o, &part);
     if (thinnest >= 0 && part < OUTLINE_SLIVER) {
-        return outline_fail(&o->items[thinnest], thinnest,
-                            "it is thinner than %g of the section's size", OUTLINE_SLIVER);
+        return outline_fail(&o->items[thinnest], "it is thinner than %g of the section's size",
+                            OUTLINE_SLIVER);
     }
     return OK;
 }
@@ -29,12 +29,10 @@ static status check_slivers(const plane_request *r, const plane_pieces *p)
 {
     for (int f = 0; f < p->nface; f++) {
         if (!(2 * p->area[f] >= OUTLINE_SLIVER * p->around[f])) {
-            const int k = p->owner[f];
-            const mark at = r->drawn ? r->drawn->items[k].at : (mark){0};
-            return status_fail_at(ERR_INPUT, at.line, at.column,
-                                  "shape %d: the overlaps leave a sliver of it, thinner than %g of "
-                                  "the section's size",
-                                  k + 1, OUTLINE_SLIVER);
+            return outline_fail(&r->drawn->items[p->owner[f]],
+                                "the overlaps leave a sliver of it, thinner than %g of the "
+                                "section's size",
+                                OUTLINE_SLIVER);
         }
     }
     return OK;
@@ -64,12 +62,21 @@ status plane_add_source(plane_request *r, double x, double y, double length)
     return OK;
 }
 
-// the angle by which a line or an arc turns from its start to its end: equal steps of the probes
+static double turn_at(const double *a, const double *b, const double *c)
+{
+    const double ux = b[0] - a[0], uy = b[1] - a[1], vx = c[0] - b[0], vy = c[1] - b[1];
+    return fabs(atan2(ux * vy - uy * vx, ux * vx + uy * vy));
+}
+
+// by how much a curve's tangent turns in all: between its probes, and as much again at the ends as
+// a circle would
 static double turn_of(const double *probe)
 {
-    const double *a = probe, *b = probe + 2, *c = probe + 4;
-    const double ux = b[0] - a[0], uy = b[1] - a[1], vx = c[0] - b[0], vy = c[1] - b[1];
-    return fabs(atan2(ux * vy - uy * vx, ux * vx + uy * vy)) * (CURVE_PROBES - 1);
+    double turn = 0;
+    for (int i = 1; i < CURVE_PROBES - 1; i++) {
+        turn += turn_at(probe + 2 * (i - 1), probe + 2 * i, probe + 2 * (i + 1));
+    }
+    return turn * (CURVE_PROBES - 1) / (CURVE_PROBES - 2);
 }
 
 // equilateral triangles of the target size, before they are made
@@ -163,6 +170,30 @@ done:
     return st;
 }
 
+// sources on one curve that ask for less than this part of the other's length are one
+static const double WORTH_A_SOURCE = 0.8;
+
+// Where a curve bends more than on average, edges turn by no more than the angle: an ellipse has
+// short ones at its ends only.
+static status add_bends(plane_request *r, int curve)
+{
+    status st = OK;
+    const plane_pieces *p = r->known;
+    const double *probe = p->probe + 2 * CURVE_PROBES * (size_t)curve;
+    const double even = p->length[curve] / natural_parts(r, curve);
+    for (int i = 1; i < CURVE_PROBES - 1; i++) {
+        const double *x = probe + 2 * i, *y = x + 2;
+        const double step = hypot(y[0] - x[0], y[1] - x[1]);
+        const double wanted = step * r->angle / turn_at(x - 2, x, y);
+        if (wanted < WORTH_A_SOURCE * fmin(even, source_limit(r, x))) {
+            TRY(plane_add_source(r, x[0], x[1], wanted));
+        }
+    }
+
+done:
+    return st;
+}
+
 status plane_check(plane_request *r, const plane_pieces *p)
 {
     status st = OK;
@@ -184,6 +215,7 @@ status plane_check(plane_request *r, const plane_pieces *p)
             TRY(status_fail(ERR_INPUT, "mesh: its size asks for more than %d elements",
                             SECTION_MOST_ELEMENTS));
         }
+        TRY(add_bends(r, i));
     }
 
 done:

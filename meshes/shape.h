@@ -6,13 +6,16 @@
 #include "base/key.h"
 #include "base/material_frame.h"
 #include "base/status.h"
+#include "meshes/carrier.h"
 
+// What a frozen shape is: ellipses, rounded rectangles, splines and drawings are loops of curves.
 typedef enum shape_kind {
     KIND_ANNULUS,
     KIND_SECTOR,
     KIND_DISC,
     KIND_RECTANGLE,
     KIND_POLYGON,
+    KIND_LOOPS,
     KIND_COUNT
 } shape_kind;
 
@@ -50,6 +53,40 @@ typedef struct polygon_spec {
     field centre[2];
 } polygon_spec;
 
+typedef struct ellipse_spec {
+    mark at;
+    field semi_axis_x, semi_axis_y; // along its own x and y [m]
+    field angle;
+    field centre[2];
+} ellipse_spec;
+
+typedef struct rounded_spec {
+    mark at;
+    field width, height, corner_radius; // [m]
+    field angle;
+    field centre[2];
+} rounded_spec;
+
+// Holes of one size: at places, or equally spaced on a circle.
+typedef struct lumens_spec {
+    mark at;
+    field radius;        // [m]
+    key_rows places;     // [n][2] [m]; not given: on the circle
+    int count;           // on the circle
+    field circle_radius; // [m]
+    field first_angle;   // of the first one on the circle, from x [rad]
+    field centre[2];     // of the circle, or what the places are counted from
+} lumens_spec;
+
+// Copies about the section's origin, equally spaced in angle.
+typedef struct array_spec {
+    mark at;
+    int count;
+    field radius;      // the shape is moved out along x by it before it is copied [m]
+    field first_angle; // of the first copy [rad]
+    bool turn;         // each copy is turned with its place, else only moved
+} array_spec;
+
 // What the axes of a shape's material are turned from.
 typedef enum shape_axes {
     SHAPE_AXES_SECTION, // 1 = z, 2 = x, 3 = y
@@ -59,13 +96,19 @@ typedef enum shape_axes {
 
 typedef struct shape_spec {
     mark at;
-    ring_spec annulus, sector; // exactly one of the five is given
+    ring_spec annulus, sector; // exactly one of them is given
     disc_spec disc;
     rectangle_spec rectangle;
     polygon_spec polygon;
-    key_text material;              // a name, or "none": the shape cuts a hole into what lies below
-    int material_index;             // set by section_case_bind; -1 for none
-    int axes;                       // shape_axes
+    ellipse_spec ellipse;
+    rounded_spec rounded_rectangle;
+    polygon_spec spline; // through its points, and its holes' points
+    lumens_spec lumens;
+    array_spec array;
+    key_text material;  // a name, or "none": the shape cuts a hole into what lies below; lumens
+                        // without one cut
+    int material_index; // set by section_case_bind; -1 for none
+    int axes;           // shape_axes
     field fibre_angle, plane_angle; // of the material's axes from those [rad]
 } shape_spec;
 
@@ -78,18 +121,22 @@ typedef struct shape_list {
 
 // A frozen shape, SI. Rings, discs: centre, radii, and for a sector mid angle and width. Rectangle:
 // centre, size, angle. Polygon: loops already turned and moved, outer loop first and
-// counter-clockwise, holes clockwise.
+// counter-clockwise, holes clockwise. Loops: the same of curves, all of them counter-clockwise.
 typedef struct outline {
     shape_kind kind;
     int material;     // -1 cuts
     mark at;          // for messages
+    char called[64];  // for messages: "shape 2 (ellipse, copy 3)"
+    bool declares;    // its angle (a sector: its mid angle) says how the pattern turns
     double centre[2]; // [m]
     double outer, inner, mid_angle, width;
     double size[2], angle;
     int nloop;
-    int *loop_start; // [nloop + 1], into point
-    double *point;   // [loop_start[nloop]][2]
-    bool has_frame;  // its material's axes are those of `frame`, else the section's own
+    int *loop_start;  // [nloop + 1], into point or piece
+    double *point;    // [loop_start[nloop]][2] of a polygon
+    carrier *piece;   // [loop_start[nloop]] of loops; each begins where the one before it ends
+    double thickness; // of loops, INFINITY where it is not known [m]
+    bool has_frame;   // its material's axes are those of `frame`, else the section's own
     material_frame frame;
 } outline;
 
@@ -97,7 +144,7 @@ typedef struct section_outline {
     int count;
     outline *items;
     double turn; // declared turn of the pattern: the mid angle of the last sector; without one the
-                 // angle of the last rectangle or polygon; else 0 [rad]
+                 // angle of the last shape that has one or is an array; else 0 [rad]
     bool has_symmetry; // a sector declares its mid angle as a symmetry axis and nothing contradicts
                        // it
     double size;       // radius about the origin that holds everything [m]
@@ -108,6 +155,10 @@ typedef struct section_outline {
 // number that is not finite, ...
 status shapes_at(shape_list shapes, double s, section_outline *out);
 void section_outline_free(section_outline *o);
+
+// Size, declared turn and symmetry from the items. ERR_INPUT where nothing has a material, or for a
+// size that must be a mistake of unit.
+status section_outline_measure(section_outline *o);
 
 bool shapes_vary(shape_list shapes);
 

@@ -21,13 +21,13 @@ static bool is_round(const outline *o)
     return o->kind == KIND_ANNULUS || o->kind == KIND_SECTOR || o->kind == KIND_DISC;
 }
 
-status shape_frame_freeze(const shape_spec *shape, int index, double s, outline *o)
+status shape_frame_freeze(const shape_spec *shape, double s, outline *o)
 {
     const bool tangent = shape->axes == SHAPE_AXES_TANGENT;
     const double fibre = field_at(&shape->fibre_angle, s);
     const double plane = field_at(&shape->plane_angle, s);
     if (!isfinite(fibre) || !isfinite(plane)) {
-        return outline_fail(o, index, "its %s is not a finite number at s = %.6g mm",
+        return outline_fail(o, "its %s is not a finite number at s = %.6g mm",
                             isfinite(fibre) ? "plane_angle" : "fibre_angle", 1e3 * s);
     }
     o->has_frame =

@@ -7,7 +7,7 @@
 
 // The shape's angles at arclength s, on top of its axes, into o->frame; the rest of the outline is
 // frozen before. ERR_INPUT, with the shape's place, for an angle that is not finite.
-status shape_frame_freeze(const shape_spec *shape, int index, double s, outline *o);
+status shape_frame_freeze(const shape_spec *shape, double s, outline *o);
 
 bool shape_frame_varies(const shape_spec *shape); // along the rod
 

@@ -1,5 +1,4 @@
 // meshes/shape_keys.c
-#include "meshes/mesher.h"
 #include "meshes/shape.h"
 
 #include <math.h>
@@ -8,7 +7,7 @@
 #define SMALLEST_LENGTH 1e-8
 #define LARGEST_LENGTH 1e3
 
-enum { MOST_SHAPES = 500, MOST_POINTS = 2000, MOST_HOLES = 200 };
+enum { MOST_POINTS = 2000, MOST_HOLES = 200, MOST_COPIES = 500 };
 
 #define COUNT(keys) ((int)(sizeof(keys) / sizeof *(keys)))
 
@@ -143,6 +142,158 @@ static const key_table polygon_keys = {.name = "polygon",
                                        .keys = polygon_key_list,
                                        .about = "straight edges between corners"};
 
+static const key ellipse_key_list[] = {
+    LENGTH_KEY("semi_axis_x", ellipse_spec, semi_axis_x, "half its length along its own x axis"),
+    LENGTH_KEY("semi_axis_y", ellipse_spec, semi_axis_y, "half its length along its own y axis"),
+    ANGLE_KEY(ellipse_spec),
+    CENTRE_KEYS(ellipse_spec),
+};
+
+static const key_table ellipse_keys = {.name = "ellipse",
+                                       .size = sizeof(ellipse_spec),
+                                       .nkey = COUNT(ellipse_key_list),
+                                       .keys = ellipse_key_list,
+                                       .about = "a full ellipse"};
+
+static const key rounded_key_list[] = {
+    LENGTH_KEY("width", rounded_spec, width, "extent along its own x axis"),
+    LENGTH_KEY("height", rounded_spec, height, "extent along its own y axis"),
+    {.name = "corner_radius",
+     .kind = KEY_FIELD,
+     .dimension = DIM_LENGTH,
+     .min = 0,
+     .max = LARGEST_LENGTH,
+     .required = true,
+     .offset = offsetof(rounded_spec, corner_radius),
+     .about = "of its four corners, at most half the shorter edge"},
+    ANGLE_KEY(rounded_spec),
+    CENTRE_KEYS(rounded_spec),
+};
+
+static const key_table rounded_rectangle_keys = {
+    .name = "rounded rectangle",
+    .size = sizeof(rounded_spec),
+    .nkey = COUNT(rounded_key_list),
+    .keys = rounded_key_list,
+    .about = "a rectangle with round corners, about its centre"};
+
+static const key spline_hole_key_list[] = {POINTS_KEY(hole_spec)};
+
+static const key_table spline_hole_keys = {.name = "spline hole",
+                                           .size = sizeof(hole_spec),
+                                           .nkey = COUNT(spline_hole_key_list),
+                                           .keys = spline_hole_key_list,
+                                           .about = "a smooth hole, inside its spline"};
+
+static const key spline_key_list[] = {
+    {.name = "points",
+     .kind = KEY_ROWS,
+     .dimension = DIM_LENGTH,
+     .min = -LARGEST_LENGTH,
+     .max = LARGEST_LENGTH,
+     .count = 2,
+     .max_count = MOST_POINTS,
+     .required = true,
+     .offset = offsetof(polygon_spec, points),
+     .about = "points [x, y] in order, either sense, that a smooth closed curve goes through"},
+    {.name = "holes",
+     .kind = KEY_LIST,
+     .max_count = MOST_HOLES,
+     .offset = offsetof(polygon_spec, holes),
+     .table = &spline_hole_keys,
+     .about = "smooth holes in it; they neither touch it nor one another"},
+    ANGLE_KEY(polygon_spec),
+    CENTRE_KEYS(polygon_spec),
+};
+
+static const key_table spline_keys = {.name = "spline",
+                                      .size = sizeof(polygon_spec),
+                                      .nkey = COUNT(spline_key_list),
+                                      .keys = spline_key_list,
+                                      .about = "a smooth outline through points: periodic cubic "
+                                               "pieces over the length of the chords"};
+
+static const key lumens_key_list[] = {
+    LENGTH_KEY("radius", lumens_spec, radius, "radius of each"),
+    {.name = "at",
+     .kind = KEY_ROWS,
+     .dimension = DIM_LENGTH,
+     .min = -LARGEST_LENGTH,
+     .max = LARGEST_LENGTH,
+     .count = 2,
+     .max_count = MOST_COPIES,
+     .one_of = 1,
+     .offset = offsetof(lumens_spec, places),
+     .about = "their centres [x, y]"},
+    {.name = "count",
+     .kind = KEY_INTEGER,
+     .min = 1,
+     .max = MOST_COPIES,
+     .one_of = 1,
+     .offset = offsetof(lumens_spec, count),
+     .about = "how many, equally spaced on a circle"},
+    {.name = "circle_radius",
+     .kind = KEY_FIELD,
+     .dimension = DIM_LENGTH,
+     .min = 0,
+     .max = LARGEST_LENGTH,
+     .initial = "0",
+     .offset = offsetof(lumens_spec, circle_radius),
+     .about = "of the circle that their centres lie on, with count"},
+    {.name = "first_angle",
+     .kind = KEY_FIELD,
+     .dimension = DIM_ANGLE,
+     .initial = "0",
+     .offset = offsetof(lumens_spec, first_angle),
+     .about = "direction of the first one on the circle, from the x axis"},
+    CENTRE_KEYS(lumens_spec),
+};
+
+static const key_table lumens_keys = {.name = "lumens",
+                                      .size = sizeof(lumens_spec),
+                                      .nkey = COUNT(lumens_key_list),
+                                      .keys = lumens_key_list,
+                                      .about = "round holes of one size; with a material they are "
+                                               "filled"};
+
+static const key array_key_list[] = {
+    {.name = "count",
+     .kind = KEY_INTEGER,
+     .min = 1,
+     .max = MOST_COPIES,
+     .required = true,
+     .offset = offsetof(array_spec, count),
+     .about = "how many copies, equally spaced in angle about the section's origin"},
+    {.name = "radius",
+     .kind = KEY_FIELD,
+     .dimension = DIM_LENGTH,
+     .min = 0,
+     .max = LARGEST_LENGTH,
+     .initial = "0",
+     .offset = offsetof(array_spec, radius),
+     .about = "the shape is moved out along x by it before it is copied"},
+    {.name = "first_angle",
+     .kind = KEY_FIELD,
+     .dimension = DIM_ANGLE,
+     .initial = "0",
+     .offset = offsetof(array_spec, first_angle),
+     .about = "direction of the first copy, from the shape's own place"},
+    {.name = "turn",
+     .kind = KEY_FLAG,
+     .initial = "true",
+     .offset = offsetof(array_spec, turn),
+     .about = "each copy turns with its place; false: it is only moved there"},
+};
+
+static const array_spec array_initial = {.count = 1, .turn = true};
+
+static const key_table array_keys = {.name = "array",
+                                     .size = sizeof(array_spec),
+                                     .nkey = COUNT(array_key_list),
+                                     .keys = array_key_list,
+                                     .initial = &array_initial,
+                                     .about = "copies of the shape around a circle"};
+
 #define SHAPE_KEY(word, words)                                                                     \
     {                                                                                              \
         .name = #word, .kind = KEY_TABLE, .one_of = 1, .offset = offsetof(shape_spec, word),       \
@@ -155,11 +306,20 @@ static const key shape_key_list[] = {
     SHAPE_KEY(disc, "a full circle"),
     SHAPE_KEY(rectangle, "a rectangle, turned or not"),
     SHAPE_KEY(polygon, "straight edges between corners, with holes if need be"),
+    SHAPE_KEY(ellipse, "a full ellipse, turned or not"),
+    SHAPE_KEY(rounded_rectangle, "a rectangle with round corners"),
+    SHAPE_KEY(spline, "a smooth closed curve through points, with holes if need be"),
+    SHAPE_KEY(lumens, "round holes of one size in what lies below, at places or on a circle"),
+    {.name = "array",
+     .kind = KEY_TABLE,
+     .offset = offsetof(shape_spec, array),
+     .table = &array_keys,
+     .about = "copies of the shape around the section's origin"},
     {.name = "material",
      .kind = KEY_NAME,
-     .required = true,
      .offset = offsetof(shape_spec, material),
-     .about = "a name from `materials`; none: the shape cuts a hole into what lies below it"},
+     .about = "a name from `materials`; none: the shape cuts a hole into what lies below it; "
+              "required but for lumens, which cut without one"},
     {.name = "axes",
      .kind = KEY_CHOICE,
      .choices = "section|tangent",
@@ -189,42 +349,3 @@ const key_table shape_keys = {.name = "shape",
                               .keys = shape_key_list,
                               .about = "a shape with its material; it lies on top of the earlier "
                                        "shapes of the list"};
-
-static const key mesh_key_list[] = {
-    {.name = "kind",
-     .kind = KEY_CHOICE,
-     .choices = "auto|mapped|free",
-     .initial = "auto",
-     .offset = offsetof(mesh_options, kind),
-     .about = "mapped: quads on a polar or Cartesian grid of the outlines' own edges; free: "
-              "curved triangles of any outlines; auto: mapped where the outlines allow it"},
-    {.name = "order",
-     .kind = KEY_INTEGER,
-     .min = 1,
-     .max = ELEMENT_MAX_ORDER,
-     .initial = "4",
-     .offset = offsetof(mesh_options, order),
-     .about = "polynomial order of the elements and of their curved edges"},
-    {.name = "size",
-     .kind = KEY_REAL,
-     .dimension = DIM_LENGTH,
-     .min = 0,
-     .max = LARGEST_LENGTH,
-     .initial = "0",
-     .offset = offsetof(mesh_options, size),
-     .about = "target edge length; 0: chosen from the outlines"},
-};
-
-static const mesh_options mesh_initial = {.kind = MESH_AUTO, .order = 4};
-
-const key_table mesh_keys = {.name = "mesh",
-                             .size = sizeof(mesh_options),
-                             .nkey = COUNT(mesh_key_list),
-                             .keys = mesh_key_list,
-                             .initial = &mesh_initial,
-                             .about = "how the section is divided into elements"};
-
-mesh_options mesh_options_default(void)
-{
-    return mesh_initial;
-}

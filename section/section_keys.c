@@ -189,8 +189,12 @@ static status bind_shapes(section_case *c, const key_list *materials, mark *wher
     shape_spec *shapes = c->shapes.items;
     bool any = false;
     for (int i = 0; i < c->shapes.count; i++) {
-        const char *name = shapes[i].material.text ? shapes[i].material.text : "";
-        *where = shapes[i].material.at;
+        const char *name = shapes[i].material.text;
+        *where = name ? shapes[i].material.at : shapes[i].at;
+        if (!name && !mark_given(shapes[i].lumens.at)) {
+            return status_fail(ERR_INPUT, "key 'material' is missing");
+        }
+        name = name ? name : "none";
         const bool cuts = strcmp(name, "none") == 0;
         shapes[i].material_index = cuts ? -1 : find_material(materials, name);
         if (!cuts && shapes[i].material_index < 0) {

@@ -68,6 +68,57 @@ static inline shape_spec a_polygon(int n, const double *points, int material)
     return s;
 }
 
+static inline shape_spec an_ellipse(double a, double b, double angle, double x, double y,
+                                    int material)
+{
+    shape_spec s = {.at = {1, 1}, .material_index = material};
+    s.ellipse = (ellipse_spec){.at = {1, 1},
+                               .semi_axis_x = fixed(a),
+                               .semi_axis_y = fixed(b),
+                               .angle = fixed(angle),
+                               .centre = {fixed(x), fixed(y)}};
+    return s;
+}
+
+static inline shape_spec a_rounded_rectangle(double width, double height, double radius,
+                                             double angle, int material)
+{
+    shape_spec s = {.at = {1, 1}, .material_index = material};
+    s.rounded_rectangle = (rounded_spec){.at = {1, 1},
+                                         .width = fixed(width),
+                                         .height = fixed(height),
+                                         .corner_radius = fixed(radius),
+                                         .angle = fixed(angle)};
+    return s;
+}
+
+// points: [n][2], kept by the caller
+static inline shape_spec a_spline(int n, const double *points, int material)
+{
+    shape_spec s = {.at = {1, 1}, .material_index = material};
+    s.spline = (polygon_spec){.at = {1, 1},
+                              .points = {.nrow = n, .ncol = 2, .a = (double *)(size_t)points}};
+    return s;
+}
+
+static inline shape_spec lumens_on_a_circle(double radius, int count, double circle, double first,
+                                            int material)
+{
+    shape_spec s = {.at = {1, 1}, .material_index = material};
+    s.lumens = (lumens_spec){.at = {1, 1},
+                             .radius = fixed(radius),
+                             .count = count,
+                             .circle_radius = fixed(circle),
+                             .first_angle = fixed(first)};
+    return s;
+}
+
+static inline shape_spec in_array(shape_spec s, int count, double first, bool turn)
+{
+    s.array = (array_spec){.at = {1, 1}, .count = count, .first_angle = fixed(first), .turn = turn};
+    return s;
+}
+
 static inline status mesh_of(int n, const shape_spec *shapes, int kind, int order, double size,
                              mesh *out)
 {
