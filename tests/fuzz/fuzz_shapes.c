@@ -128,8 +128,8 @@ static void tell(int n, const shape_spec *s)
         printf(
             "  %-22s material %2d centre %.17g %.17g outer %.17g inner %.17g mid %.17g width %.17g "
             "size %.17g %.17g angle %.17g\n",
-            p->called, p->material, p->centre[0], p->centre[1], p->outer, p->inner,
-            p->mid_angle, p->width, p->size[0], p->size[1], p->angle);
+            p->called, p->material, p->centre[0], p->centre[1], p->outer, p->inner, p->mid_angle,
+            p->width, p->size[0], p->size[1], p->angle);
         for (int i = 0; p->nloop > 0 && i < p->loop_start[p->nloop]; i++) {
             printf("            %.17g %.17g\n", p->point[2 * i], p->point[2 * i + 1]);
         }
