@@ -2,6 +2,7 @@
 #include "meshes/outline_move.h"
 
 #include "base/memory.h"
+#include "meshes/loops.h"
 #include "meshes/outline.h"
 
 #include <math.h>
@@ -31,6 +32,18 @@ static void reverse_loop(double (*point)[2], int n)
     }
 }
 
+static void move_curves(const outline_motion *m, curve_loop a)
+{
+    const double nowhere[2] = {0, 0};
+    for (int i = 0; i < a.n; i++) {
+        const carrier scaled = carrier_scaled(&a.piece[i], m->scale);
+        a.piece[i] = carrier_moved(&scaled, m->angle, nowhere, m->mirror ? -1 : 1);
+    }
+    if (m->mirror) {
+        curves_reverse(a);
+    }
+}
+
 // axes of the section turn with it; a mirror has no meaning for them
 static void move_frame(const outline_motion *m, outline *o)
 {
@@ -49,9 +62,13 @@ static void move_item(const outline_motion *m, outline *o)
     o->inner *= m->scale;
     o->size[0] *= m->scale;
     o->size[1] *= m->scale;
+    o->thickness *= m->scale;
     o->mid_angle = move_angle(m, o->mid_angle);
     o->angle = move_angle(m, o->angle);
-    for (int k = 0; k < o->nloop; k++) {
+    for (int k = 0; k < o->nloop && o->kind == KIND_LOOPS; k++) {
+        move_curves(m, outline_curves(o, k));
+    }
+    for (int k = 0; k < o->nloop && o->kind == KIND_POLYGON; k++) {
         double(*point)[2] = (double(*)[2])(o->point + 2 * o->loop_start[k]);
         const int n = o->loop_start[k + 1] - o->loop_start[k];
         for (int i = 0; i < n; i++) {
@@ -78,11 +95,18 @@ static status copy_loops(const outline *in, outline *out)
     const size_t npoint = in->nloop > 0 ? (size_t)in->loop_start[in->nloop] : 0;
     out->loop_start = NULL;
     out->point = NULL;
+    out->piece = NULL;
     if (in->nloop > 0) {
         TRY(TAKE(out->loop_start, (size_t)in->nloop + 1));
-        TRY(TAKE(out->point, 2 * npoint));
         memcpy(out->loop_start, in->loop_start, ((size_t)in->nloop + 1) * sizeof *in->loop_start);
+    }
+    if (in->kind == KIND_POLYGON) {
+        TRY(TAKE(out->point, 2 * npoint));
         memcpy(out->point, in->point, 2 * npoint * sizeof *in->point);
+    }
+    if (in->kind == KIND_LOOPS) {
+        TRY(TAKE(out->piece, npoint));
+        memcpy(out->piece, in->piece, npoint * sizeof *in->piece);
     }
 
 done:
@@ -136,6 +160,20 @@ static double turn_of_points(int n, const double *a, const double *b)
     return atan2(cross, dot);
 }
 
+// the same of where curves begin
+static double turn_of_pieces(int n, const carrier *a, const carrier *b)
+{
+    double cross = 0, dot = 0;
+    for (int i = 0; i < n; i++) {
+        double x[2], y[2];
+        carrier_start(&a[i], x);
+        carrier_start(&b[i], y);
+        cross += x[0] * y[1] - x[1] * y[0];
+        dot += x[0] * y[0] + x[1] * y[1];
+    }
+    return atan2(cross, dot);
+}
+
 // x and y of the three axes, as points
 static double turn_of_axes(const material_frame *a, const material_frame *b)
 {
@@ -154,7 +192,8 @@ static void see_item(spin *s, const outline *a, const outline *b, double size)
     }
     const int n = a->nloop > 0 ? a->loop_start[a->nloop] : 0;
     if (n > 0) {
-        see(s, turn_of_points(n, a->point, b->point));
+        see(s, a->kind == KIND_LOOPS ? turn_of_pieces(n, a->piece, b->piece)
+                                     : turn_of_points(n, a->point, b->point));
         return;
     }
     if (hypot(a->centre[0], a->centre[1]) > OUTLINE_MERGE * size) {

@@ -20,6 +20,14 @@ static void add_material(hash *h, const material *m)
     hash_reals(h, m->stiffness.nrow * m->stiffness.ncol, m->stiffness.a);
 }
 
+static void add_piece(hash *h, const carrier *c)
+{
+    const double ends[] = {c->from, c->to};
+    hash_int(h, (int)c->kind);
+    hash_reals(h, 8, c->p[0]);
+    hash_reals(h, 2, ends);
+}
+
 static void add_outline(hash *h, const section_outline *o)
 {
     hash_int(h, o->count);
@@ -34,7 +42,14 @@ static void add_outline(hash *h, const section_outline *o)
         hash_int(h, s->nloop);
         for (int i = 0; i < s->nloop; i++) {
             const int first = s->loop_start[i], count = s->loop_start[i + 1] - first;
-            hash_reals(h, 2 * count, s->point + 2 * first);
+            hash_int(h, count);
+            if (s->kind == KIND_POLYGON) {
+                hash_reals(h, 2 * count, s->point + 2 * first);
+            }
+        }
+        const int pieces = s->kind == KIND_LOOPS ? s->loop_start[s->nloop] : 0;
+        for (int i = 0; i < pieces; i++) {
+            add_piece(h, &s->piece[i]);
         }
         hash_int(h, s->has_frame);
         if (s->has_frame) {

@@ -1,4 +1,5 @@
 #include "meshes/loops.h"
+#include "meshes/outline_move.h"
 #include "tests/shapes.h"
 #include "tests/test.h"
 
@@ -88,6 +89,31 @@ static void turning_patterns_are_known_as_such(void)
     section_outline_free(&b);
 }
 
+// a mirrored, scaled and turned copy is the one drawn there
+static void curves_move_as_a_whole(void)
+{
+    const shape_spec s = an_ellipse(2, 1, 0.3, 1, 0.5, 0),
+                     there = an_ellipse(4, 2, 0.7 - 0.3, 2 * (cos(0.7) + 0.5 * sin(0.7)),
+                                        2 * (sin(0.7) - 0.5 * cos(0.7)), 0);
+    section_outline o = frozen(1, &s, 0), wanted = frozen(1, &there, 0), copy = {0};
+    const outline_motion motion = {.mirror = true, .scale = 2, .angle = 0.7};
+    double by = 0, none = 0;
+    CHECK_OK(section_outline_copy(&o, &copy));
+    section_outline_move(&copy, &motion);
+    CHECK(curves_area(outline_curves(&copy.items[0], 0)) > 0);
+    wanted.turn = copy.turn = 0;
+    CHECK(section_outline_is_turned(&copy, &wanted, 1e-12, &none));
+    const outline_motion turn = {.scale = 1.2, .angle = 0.1};
+    section_outline_free(&copy);
+    CHECK_OK(section_outline_copy(&o, &copy));
+    section_outline_move(&copy, &turn);
+    CHECK(section_outline_spin(&o, &copy, 1e-12, &by));
+    CHECK_NEAR(by, 0.1, 1e-13);
+    section_outline_free(&o);
+    section_outline_free(&wanted);
+    section_outline_free(&copy);
+}
+
 static void copies_are_turned_or_only_moved(void)
 {
     const shape_spec s[] = {in_array(an_ellipse(2, 1, 0.1, 5, 0, 0), 4, 0.2, true),
@@ -146,6 +172,7 @@ int main(void)
     points_lie_inside_or_outside_of_curves();
     curves_find_their_own_points_again();
     turning_patterns_are_known_as_such();
+    curves_move_as_a_whole();
     copies_are_turned_or_only_moved();
     symmetry_is_seen_through_curves();
     what_cannot_be_is_refused_by_name();
