@@ -27,6 +27,10 @@ status page_compare(bytes *page, const run_result *r);
 status page_assumptions(bytes *page, const run_result *r);
 status page_origin(bytes *page, const run_result *r);
 
+// reports/page_materials.c: their table; whether all are isotropic and uniform.
+status page_materials(bytes *page, const run_result *r);
+bool materials_are_plain(const run_result *r);
+
 // The smallest of the materials' linear strains that are known; 0 where none is. *name: whose it
 // is.
 double smallest_linear_strain(const run_result *r, const char **name);

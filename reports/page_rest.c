@@ -77,28 +77,6 @@ done:
     return st;
 }
 
-static status materials(bytes *page, const run_result *r)
-{
-    status st = OK;
-
-    PAGE("<div "
-         "class=\"scroll\"><table>\n<thead><tr><th>material</th><th>E<small>MPa</small></th><th>ν</"
-         "th>"
-         "<th>linear up to<small>%% strain</small></th></tr></thead>\n<tbody>\n");
-    for (int i = 0; i < r->nmaterial; i++) {
-        const material *m = &r->materials[i];
-        PAGE("<tr><td>");
-        TRY(page_escaped(page, m->name));
-        PAGE("</td><td>%s</td><td>%s</td><td>%s</td></tr>\n", number_short(m->E * 1e-6, 6).text,
-             number_short(m->nu, 5).text,
-             m->linear_strain > 0 ? number_short(m->linear_strain * 100, 4).text : "not given");
-    }
-    PAGE("</tbody></table></div>\n");
-
-done:
-    return st;
-}
-
 static bool pattern_turns(const law_along *along)
 {
     for (int i = 1; along->turn && i < along->npanel * along->nnode; i++) {
@@ -113,8 +91,9 @@ status page_assumptions(bytes *page, const run_result *r)
 {
     status st = OK;
 
-    PAGE("<h2 id=\"assumptions\">Assumptions</h2>\n<ul>\n<li>Materials are linear, isotropic and "
-         "perfectly bonded where they meet.</li>\n");
+    PAGE("<h2 id=\"assumptions\">Assumptions</h2>\n<ul>\n<li>Materials are linear%s and "
+         "perfectly bonded where they meet.</li>\n",
+         materials_are_plain(r) ? ", isotropic" : "");
     if (r->has_rod) {
         PAGE("<li>Tendons run without friction under constant tension, along the routing that the "
              "case gives. At the base:");
@@ -143,7 +122,7 @@ status page_assumptions(bytes *page, const run_result *r)
     }
     PAGE("</ul>\n");
     if (r->nmaterial > 0) {
-        TRY(materials(page, r));
+        TRY(page_materials(page, r));
     }
 
 done:

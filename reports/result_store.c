@@ -9,11 +9,38 @@
 
 static status pass_materials(const passage *p, run_result *r)
 {
+#define NUMBER(name, unit, member)                                                                 \
+    {                                                                                              \
+        name, COLUMN_REAL, unit, offsetof(material, member), 0, {0}, 0                             \
+    }
     static const column columns[] = {
         {"E_Pa", COLUMN_POSITIVE, "Pa", offsetof(material, E), 0, {0}, 0},
-        {"nu", COLUMN_REAL, "-", offsetof(material, nu), 0, {0}, 0},
-        {"linear_strain", COLUMN_REAL, "-", offsetof(material, linear_strain), 0, {0}, 0},
+        NUMBER("nu", "-", nu),
+        NUMBER("linear_strain", "-", linear_strain),
+        NUMBER("density_kg_per_m3", "kg/m^3", density),
+        {"kind", COLUMN_INT, "-", offsetof(material, kind), 0, {0}, MATERIAL_ANISOTROPIC},
+        {"graded_across", COLUMN_FLAG, "-", offsetof(material, modulus.across), 0, {0}, 0},
+        {"graded_along", COLUMN_FLAG, "-", offsetof(material, modulus.along), 0, {0}, 0},
+        NUMBER("E1_Pa", "Pa", E1),
+        NUMBER("E2_Pa", "Pa", E2),
+        NUMBER("E3_Pa", "Pa", E3),
+        NUMBER("G12_Pa", "Pa", G12),
+        NUMBER("G13_Pa", "Pa", G13),
+        NUMBER("G23_Pa", "Pa", G23),
+        NUMBER("nu12", "-", nu12),
+        NUMBER("nu13", "-", nu13),
+        NUMBER("nu23", "-", nu23),
+        NUMBER("fibre_angle_rad", "rad", fibre_angle),
+        NUMBER("plane_angle_rad", "rad", plane_angle),
+        {"stiffness_in_frame",
+         COLUMN_REAL,
+         "Pa",
+         offsetof(material, in_frame),
+         2,
+         {6, 6},
+         0}, // order 11 22 33 23 13 12
     };
+#undef NUMBER
     status st = OK;
     int n = r->nmaterial;
     TRY(passage_count(p, "material/count", 0, MOST_MATERIALS, &n));

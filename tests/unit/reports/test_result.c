@@ -203,7 +203,16 @@ static run_result make_run(void)
     CHECK_OK(TAKE(r.materials, 2));
     r.materials[0] =
         (material){.name = copy_text("soft"), .E = 0.66e6, .nu = 0.3, .linear_strain = 0.05};
-    r.materials[1] = (material){.name = copy_text("stiff"), .E = 15.93e6, .nu = 0.45};
+    r.materials[1] = (material){.name = copy_text("stiff"),
+                                .E = 15.93e6,
+                                .nu = 0.45,
+                                .density = 1100,
+                                .kind = MATERIAL_ORTHOTROPIC,
+                                .G13 = 3e6,
+                                .nu23 = -0.2,
+                                .fibre_angle = 0.5,
+                                .in_frame = {{{2e7, 3e6}, {3e6, 5e6}}},
+                                .modulus = {.along = true}};
     make_section(&c, &r);
     CHECK_OK(
         mesh_make(1, 3, 1, (const shape[]){SHAPE_TRIANGLE}, (const int[]){1}, &r.section_mesh));
@@ -363,7 +372,11 @@ static void the_store_gives_back_all_of_a_run(const scratch *dir)
     CHECK(strcmp(back.versions, r.versions) == 0);
     CHECK(back.nmaterial == 2 && strcmp(back.materials[1].name, "stiff") == 0);
     CHECK(back.materials[0].E == 0.66e6 && back.materials[1].nu == 0.45);
-    CHECK(back.materials[0].linear_strain == 0.05);
+    CHECK(back.materials[0].linear_strain == 0.05 && back.materials[0].kind == MATERIAL_ISOTROPIC);
+    const material *kept = &back.materials[1];
+    CHECK(kept->kind == MATERIAL_ORTHOTROPIC && kept->density == 1100 && kept->G13 == 3e6);
+    CHECK(kept->nu23 == -0.2 && kept->fibre_angle == 0.5 && kept->in_frame.a[1][0] == 3e6);
+    CHECK(kept->modulus.along && !kept->modulus.across);
     CHECK(back.symmetry_turn == 0.3 && back.section.effort.meshed);
     CHECK(same_mesh(&back.section_mesh, &r.section_mesh));
     CHECK(same_mesh(&back.segment_plane, &r.segment_plane));
