@@ -2,6 +2,7 @@
 
 #include "base/memory.h"
 #include "meshes/pixel_nodes.h"
+#include "meshes/pixel_smooth.h"
 #include "meshes/pixel_tree.h"
 #include "meshes/sizing.h"
 
@@ -59,7 +60,7 @@ static int turned_point(int point, int turn)
 typedef struct builder {
     const pixel_image *image; // fine
     const pixel_image *whole; // as it was given
-    const double *shift;      // of the corners of `whole`
+    double *shift;            // of the corners of `whole`, in pixels; NULL: none
     int factor;               // fine pixels in a pixel
     const pixel_tree *tree;
     int *number; // [n[1] + 1][n[0] + 1] of a corner of pixels, + 1
@@ -79,18 +80,46 @@ static bool parts_meet(const pixel_image *p, int i, int j)
     return (rising && none_falling) || (falling && none_rising);
 }
 
+// Weights of a pixel's corners at (u, v) in it: of the triangle, where it is cut in two, or else
+// bilinear.
+static void corner_weights(const double (*shift)[2], double u, double v, double weight[4])
+{
+    double xy[4][2];
+    for (int k = 0; k < 4; k++) {
+        xy[k][0] = (k == 1 || k == 2) + shift[k][0];
+        xy[k][1] = (k >= 2) + shift[k][1];
+    }
+    const cell_cut cut = cell_cut_of((const double(*)[2])xy);
+    const double both = cut == CUT_FIRST    ? fmin(u, v)
+                        : cut == CUT_SECOND ? fmax(0, u + v - 1)
+                                            : u * v;
+    weight[0] = 1 - u - v + both;
+    weight[1] = u - both;
+    weight[2] = both;
+    weight[3] = v - both;
+}
+
 // how far a corner of fine pixels is moved, in pixels: between the corners of its pixel
 static void shift_at(const builder *w, int i, int j, double out[2])
 {
     const pixel_image *p = w->whole;
     const int a = i / w->factor - (i == w->image->n[0]), b = j / w->factor - (j == w->image->n[1]);
     const double u = (double)i / w->factor - a, v = (double)j / w->factor - b;
-    const double weight[4] = {(1 - u) * (1 - v), u * (1 - v), (1 - u) * v, u * v};
+    double corner[4][2], weight[4];
     out[0] = out[1] = 0;
-    for (int k = 0; w->shift && k < 4; k++) {
-        const double *s = w->shift + 2 * ((long)(b + k / 2) * (p->n[0] + 1) + a + k % 2);
-        out[0] += weight[k] * s[0];
-        out[1] += weight[k] * s[1];
+    if (!w->shift) {
+        return;
+    }
+    for (int k = 0; k < 4; k++) {
+        const int x = a + (k == 1 || k == 2), y = b + (k >= 2);
+        const double *s = w->shift + 2 * ((long)y * (p->n[0] + 1) + x);
+        corner[k][0] = s[0];
+        corner[k][1] = s[1];
+    }
+    corner_weights((const double(*)[2])corner, u, v, weight);
+    for (int k = 0; k < 4; k++) {
+        out[0] += weight[k] * corner[k][0];
+        out[1] += weight[k] * corner[k][1];
     }
 }
 
@@ -122,6 +151,26 @@ static void add_cell(builder *w, int kind, const int *local, const int *point, i
     w->cells.material[kind][at] = material;
 }
 
+// a single pixel whose corners may have moved
+static void add_pixel(builder *w, const int *point, int material)
+{
+    static const int quad[4] = {0, 1, 2, 3}, triangle[2][3] = {{0, 1, 2}, {0, 2, 3}};
+    double xy[4][2];
+    for (int k = 0; k < 4; k++) {
+        for (int d = 0; d < 2; d++) {
+            xy[k][d] = w->cells.xy[2 * point[k] + d] / w->image->pitch[d];
+        }
+    }
+    const cell_cut cut = w->shift ? cell_cut_of((const double(*)[2])xy) : CUT_NOT;
+    if (cut == CUT_NOT) {
+        add_cell(w, 1, quad, point, 0, material);
+        return;
+    }
+    for (int k = 0; k < 2; k++) {
+        add_cell(w, 0, triangle[k], point, cut == CUT_FIRST ? 0 : 1, material);
+    }
+}
+
 static void add_square(builder *w, int i, int j, int size)
 {
     const int half = size / 2;
@@ -136,8 +185,12 @@ static void add_square(builder *w, int i, int j, int size)
             point[k] = point_at(w, i + place[k][0], j + place[k][1], i);
         }
     }
-    const pattern *how = find_pattern(sides, &turn);
     const int material = pixel_at(w->image, i, j);
+    if (size == 1) {
+        add_pixel(w, point, material);
+        return;
+    }
+    const pattern *how = find_pattern(sides, &turn);
     for (int k = 0; k < how->nquad; k++) {
         add_cell(w, 1, how->quad[k], point, turn, material);
     }
@@ -194,32 +247,37 @@ static status choose_sizes(const pixel_image *p, const mesh_options *options, in
     return OK;
 }
 
-status pixel_mesh_make(const pixel_image *p, const pixel_mesh_request *request, mesh *out)
+status pixel_mesh_make(const pixel_image *p, const mesh_options *options, bool smoothed, mesh *out)
 {
     status st = OK;
     pixel_image fine = {0};
     pixel_tree tree = {0};
-    pixel_tree_rule rule = {.rim = request->shift != NULL};
-    builder w = {.whole = p, .image = p, .shift = request->shift, .tree = &tree};
+    pixel_tree_rule rule = {0};
+    builder w = {.whole = p, .image = p, .tree = &tree};
 
-    TRY(choose_sizes(p, request->options, &w.factor, &rule.top));
+    TRY(choose_sizes(p, options, &w.factor, &rule.top));
     if (w.factor > 1) {
         TRY(pixel_image_finer(p, w.factor, &fine));
         w.image = &fine;
     }
+    rule.rim = smoothed ? w.factor : 0;
     TRY(pixel_tree_make(w.image, &rule, &tree));
     if (tree.nleaf > SECTION_MOST_ELEMENTS) {
-        TRY(status_fail_at(ERR_INPUT, request->options->at.line, request->options->at.column,
+        TRY(status_fail_at(ERR_INPUT, options->at.line, options->at.column,
                            "the image makes %d elements, at most %d are possible: use larger "
                            "pixels or a larger mesh size",
                            tree.nleaf, SECTION_MOST_ELEMENTS));
     }
+    if (smoothed) {
+        TRY(pixel_smooth(p, &w.shift));
+    }
     TRY(build_cells(&w));
-    TRY(straight_cells_mesh(&w.cells, request->options->order, out));
+    TRY(straight_cells_mesh(&w.cells, options->order, out));
 
 done:
     free(w.number);
     free(w.twin);
+    free(w.shift);
     straight_cells_free(&w.cells);
     pixel_tree_free(&tree);
     pixel_image_free(&fine);

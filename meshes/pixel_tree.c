@@ -22,14 +22,16 @@ static void set_level(const pixel_tree *t, int i, int j, int size, int level)
     }
 }
 
-// the pixels around a square, those at its corners too, are like those in it
-static bool rim_is_plain(const pixel_image *p, int i, int j, int size)
+// the pixels around a square, those at its corners too, are like those in it; width: of the rim
+static bool rim_is_plain(const pixel_image *p, int i, int j, int size, int width)
 {
     const int own = pixel_at(p, i, j);
-    for (int k = -1; k <= size; k++) {
-        if (pixel_at(p, i + k, j - 1) != own || pixel_at(p, i + k, j + size) != own ||
-            pixel_at(p, i - 1, j + k) != own || pixel_at(p, i + size, j + k) != own) {
-            return false;
+    for (int w = 1; w <= width; w++) {
+        for (int k = -w; k < size + w; k++) {
+            if (pixel_at(p, i + k, j - w) != own || pixel_at(p, i + k, j + size + w - 1) != own ||
+                pixel_at(p, i - w, j + k) != own || pixel_at(p, i + size + w - 1, j + k) != own) {
+                return false;
+            }
         }
     }
     return true;
@@ -49,7 +51,7 @@ static bool may_merge(const pixel_tree *t, const pixel_tree_rule *rule, int i, i
             return false;
         }
     }
-    return !rule->rim || rim_is_plain(p, i, j, size);
+    return rim_is_plain(p, i, j, size, rule->rim);
 }
 
 // first place >= 0 of the squares of this size

@@ -12,8 +12,8 @@ typedef struct pixel_tree {
 } pixel_tree;
 
 typedef struct pixel_tree_rule {
-    int top;  // no square is larger than 2^top pixels
-    bool rim; // squares at a boundary are single pixels
+    int top; // no square is larger than 2^top pixels
+    int rim; // pixels around a square of more than one that are of its material too
 } pixel_tree_rule;
 
 // The image must outlive the tree.

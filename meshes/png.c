@@ -4,7 +4,6 @@
 #include "base/memory.h"
 #include "meshes/input_file.h"
 #include "meshes/pixel_mesh.h"
-#include "meshes/pixel_smooth.h"
 #include "meshes/png_door.h"
 #include "meshes/png_names.h"
 #include "meshes/png_parts.h"
@@ -242,16 +241,14 @@ static status mesh_image(const png_state *s, const pixel_image *p, const mesh_op
                          mesh *out)
 {
     status st = OK;
-    double *shift = NULL;
-    if (s->spec.boundaries == 1) {
-        TRY(pixel_smooth(p, &shift));
-    }
-    const pixel_mesh_request request = {.options = options, .shift = shift};
-    TRY(pixel_mesh_make(p, &request, out));
-    TRY(mesh_check(out));
+    mesh m = {0};
+    TRY(pixel_mesh_make(p, options, s->spec.boundaries == 1, &m));
+    TRY(mesh_check(&m));
+    *out = m;
+    m = (mesh){0};
 
 done:
-    free(shift);
+    mesh_free(&m);
     return st;
 }
 

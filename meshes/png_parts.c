@@ -1,11 +1,9 @@
 #include "meshes/png_parts.h"
 
 #include "base/memory.h"
-#include "base/nearest.h"
+#include "meshes/parts.h"
 
-#include <ctype.h>
 #include <limits.h>
-#include <string.h>
 
 enum { HALF_OPAQUE = 128 };
 
@@ -15,49 +13,9 @@ void png_parts_free(png_parts *p)
     *p = (png_parts){0};
 }
 
-static status fail_at(mark at, const char *words, const char *what, const char *more)
+static unsigned rgb_of(const unsigned char c[3])
 {
-    return status_fail_at(ERR_INPUT, at.line, at.column, words, what, more);
-}
-
-static status read_colour(const part_spec *part, unsigned *rgb)
-{
-    const char *text = part->colour.text;
-    if (!text) {
-        return fail_at(part->at, "an image has colours, no names: write colour: '#rrggbb'%s%s", "",
-                       "");
-    }
-    bool good = text[0] == '#' && strlen(text) == 7;
-    for (int i = 1; good && i < 7; i++) {
-        good = isxdigit((unsigned char)text[i]);
-    }
-    if (!good) {
-        return fail_at(part->colour.at, "'%s' is no colour: six hexadecimal digits are, as in %s",
-                       text, "'#ff8000'");
-    }
-    *rgb = (unsigned)strtoul(text + 1, NULL, 16);
-    return OK;
-}
-
-static status find_material(const part_spec *part, const drawing_request *request, int *index)
-{
-    const char *name = part->material.text ? part->material.text : "";
-    nearest near = nearest_to(name);
-    char words[NEAREST_WORDS];
-    *index = PIXEL_NONE;
-    if (strcmp(name, "none") == 0) {
-        return OK;
-    }
-    nearest_offer(&near, "none", "none");
-    for (int i = 0; i < request->nmaterial && i < SHRT_MAX; i++) {
-        nearest_offer(&near, request->materials[i].name, request->materials[i].name);
-        if (strcmp(request->materials[i].name, name) == 0) {
-            *index = i;
-            return OK;
-        }
-    }
-    return fail_at(part->material.at, "material '%s' is not defined%s", name,
-                   nearest_words(&near, words));
+    return (unsigned)c[0] << 16 | (unsigned)c[1] << 8 | c[2];
 }
 
 static int colour_order(const void *a, const void *b)
@@ -69,29 +27,36 @@ static int colour_order(const void *a, const void *b)
 status png_parts_make(const png_spec *spec, const drawing_request *request, png_parts *out)
 {
     status st = OK;
+    part_table table = {0};
     png_parts p = {.count = spec->parts.count, .at = spec->at};
-    const part_spec *part = spec->parts.items;
 
     if (p.count == 0) {
-        TRY(fail_at(spec->at, "png: no `parts` say which colour is which material: %s%s",
-                    "[{colour: '#ff0000', material: soft}]", ""));
+        TRY(status_fail_at(ERR_INPUT, p.at.line, p.at.column,
+                           "png: no `parts` say which colour is which material: [{colour: "
+                           "'#ff0000', material: soft}]"));
     }
+    TRY(parts_make("colour", &spec->parts, request, &table));
     TRY(TAKE(p.colour, (size_t)p.count));
     for (int i = 0; i < p.count; i++) {
-        TRY(read_colour(&part[i], &p.colour[i].rgb));
-        TRY(find_material(&part[i], request, &p.colour[i].material));
+        const part_spec *part = &table.spec[i];
+        unsigned char c[3];
+        if (!part->colour.text || !part_read_colour(part->colour.text, c)) {
+            TRY(status_fail_at(ERR_INPUT, part->at.line, part->at.column,
+                               "png: an image has colours, no names: write colour: '#rrggbb'"));
+        }
+        if (table.material[i] > SHRT_MAX) {
+            TRY(status_fail_at(ERR_INPUT, part->at.line, part->at.column,
+                               "png: more than %d materials", SHRT_MAX));
+        }
+        p.colour[i].rgb = rgb_of(c);
+        p.colour[i].material = table.material[i] == PART_NONE ? PIXEL_NONE : table.material[i];
     }
     qsort(p.colour, (size_t)p.count, sizeof *p.colour, colour_order);
-    for (int i = 1; i < p.count; i++) {
-        if (p.colour[i].rgb == p.colour[i - 1].rgb) {
-            TRY(status_fail_at(ERR_INPUT, p.at.line, p.at.column,
-                               "png: colour #%06x has two entries in `parts`", p.colour[i].rgb));
-        }
-    }
     *out = p;
     p = (png_parts){0};
 
 done:
+    parts_free(&table);
     png_parts_free(&p);
     return st;
 }
@@ -128,7 +93,7 @@ status png_parts_image(const png_parts *p, const input_file *f, const colour_ima
             if (c[3] < HALF_OPAQUE) {
                 continue;
             }
-            const png_colour wanted = {.rgb = (unsigned)(c[0] << 16 | c[1] << 8 | c[2])};
+            const png_colour wanted = {.rgb = rgb_of(c)};
             const png_colour *found = wanted.rgb == last->rgb
                                           ? last
                                           : bsearch(&wanted, p->colour, (size_t)p->count,

@@ -235,10 +235,11 @@ static void parts_are_checked(void)
     drawing *d = NULL;
     files.png.parts.items = bad;
     bad[1].colour.text = "#00ff0";
-    CHECK(refused(open_in(&f, &files, &d), ERR_INPUT, "'#00ff0' is no colour"));
+    CHECK(refused(open_in(&f, &files, &d), ERR_INPUT, "'#00ff0'"));
     bad[1].colour.text = "#FF0000";
-    CHECK(refused(open_in(&f, &files, &d), ERR_INPUT, "two entries"));
+    CHECK(refused(open_in(&f, &files, &d), ERR_INPUT, "twice"));
     bad[1].colour.text = NULL;
+    bad[1].name.text = "stiff";
     CHECK(refused(open_in(&f, &files, &d), ERR_INPUT, "colours, no names"));
     bad[1] = red_and_green[1];
     bad[1].material.text = "stif";
