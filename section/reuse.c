@@ -197,7 +197,8 @@ static void count_reuse(section_effort *effort, const section_place *a, const se
         effort->nscaled++;
     } else if (a->turn != b->turn) {
         effort->nturned++;
-    } else {
+    } else if (a->s != b->s) { // else it is asked for again
+
         effort->nsame++;
     }
 }
