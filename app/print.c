@@ -58,6 +58,10 @@ void print_section(const run_result *r)
     char effort[SECTION_EFFORT_WORDS];
     printf("section: %s, %d station%s, %s\n", models[r->section_model], section->nstation,
            section->nstation == 1 ? "" : "s", section_effort_words(&section->effort, effort));
+    if (section->resolution > 0) {
+        printf("pixels twice as wide would move its stiffness by %.1e: so much they are worth\n",
+               section->resolution);
+    }
     if (section->effort.uneven) {
         printf("its shapes turn at different rates: K is that of a section that does not turn\n");
     }

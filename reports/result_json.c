@@ -53,6 +53,9 @@ status result_json_section(json *j, const char *key, const run_result *r)
     json_text(j, "model", model_names[r->section_model]);
     json_integer(j, "sections_solved", r->section.effort.nsolved);
     json_real(j, "interpolation_relative_error", r->section.along.relative_error);
+    if (r->section.resolution > 0) {
+        json_real(j, "pixel_relative_error", r->section.resolution);
+    }
     json_array(j, "stations");
     for (int i = 0; i < r->section.nstation; i++) {
         write_station(j, &r->section.station[i]);

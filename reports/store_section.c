@@ -96,6 +96,13 @@ status store_pass_section(const passage *p, run_result *r)
         {"model", COLUMN_INT, "-", offsetof(run_result, section_model), 0, {0}, MODEL_CLASSICAL},
         {"meshed", COLUMN_FLAG, "-", offsetof(run_result, section.effort.meshed), 0, {0}, 0},
         {"solved", COLUMN_INT, "-", offsetof(run_result, section.effort.nsolved), 0, {0}, INT_MAX},
+        {"pixel_relative_error",
+         COLUMN_ANY,
+         "-",
+         offsetof(run_result, section.resolution),
+         0,
+         {0},
+         0},
         {"symmetry_turn_rad", COLUMN_REAL, "rad", offsetof(run_result, symmetry_turn), 0, {0}, 0},
     };
     status st = OK;

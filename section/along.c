@@ -306,6 +306,7 @@ status section_along(const section_case *c, const material *materials, double le
     TRY(c->stations.nrow > 0 ? asked_stations(&store, &c->stations, length, &r)
                              : own_stations(&store, &r));
     r.effort = store.effort;
+    r.resolution = store.resolution;
     r.solved = store.laws;
     store.laws = (section_known){0};
     *out = r;

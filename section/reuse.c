@@ -249,6 +249,9 @@ static status solve_or_recall(section_store *store, const section_place *p, beam
         TRY(section_solve_place(c, materials_at(store, p->s), p, law, &meshed));
         store->effort.nsolved++;
     }
+    if (store->count == 0) {
+        TRY(section_resolution(c, materials_at(store, p->s), p, law, &store->resolution));
+    }
     store->effort.meshed = store->effort.meshed || meshed || found;
     if (comparable) {
         TRY(section_known_add(&store->laws, key, law));

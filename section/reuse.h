@@ -25,6 +25,7 @@ typedef struct section_store {
     int count, capacity;
     solved_section *solved;
     section_known laws; // of them, and of those found in request->known
+    double resolution;  // of the first one solved, see section_result
     section_effort effort;
 } section_store;
 

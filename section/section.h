@@ -159,8 +159,10 @@ typedef struct section_station {
 typedef struct section_result {
     int nstation;
     section_station
-        *station;    // the user's stations, else the interpolation's own nodes in order of s
-    law_along along; // K(s) over [0, length]
+        *station;      // the user's stations, else the interpolation's own nodes in order of s
+    law_along along;   // K(s) over [0, length]
+    double resolution; // of an image: how far K of its first slice moves where its pixels are twice
+                       // as wide, relative as in (6.1); 0: no image
     section_effort effort;
     section_known solved; // for the next run
 } section_result;

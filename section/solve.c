@@ -207,3 +207,32 @@ done:
     section_place_free(&p);
     return st;
 }
+
+status section_resolution(const section_case *c, const material *materials, const section_place *p,
+                          const beam_law *law, double *out)
+{
+    status st = OK;
+    mesh m = {0};
+    beam_law coarse = {0};
+    const solver q = {c, materials, p};
+    bool found = false;
+    *out = 0;
+    if (!c->drawing) {
+        return OK;
+    }
+    TRY(drawing_mesh_coarser(c->drawing, p->slice, &c->mesh, &m, &found));
+    if (found) {
+        TRY(solve_mesh(&q, &m, &coarse));
+        // the mesh is not turned and scaled as the place is
+        const double a = p->scale;
+        const double factor[6] = {a, a, a, a * a, a * a, a * a};
+        for (int i = 0; i < 36; i++) {
+            coarse.K.a[i / 6][i % 6] *= factor[i / 6] * factor[i % 6];
+        }
+        *out = mat6_relative_error(beam_law_move(coarse.K, 0, 0, -p->turn), law->K);
+    }
+
+done:
+    mesh_free(&m);
+    return st;
+}

@@ -54,8 +54,7 @@ status stack_laws(section_store *store, double length, law_along *out)
     }
     for (int k = 0; k < count; k++) {
         section_place p = {0};
-        // in the middle of the run's first slice
-        TRY(section_store_law(store, (first[k] + 0.5) * layer, &along.law[k], &p));
+        TRY(section_store_law(store, law_along_node(&along, k, 0), &along.law[k], &p));
         along.turn[k] = p.turn;
         section_place_free(&p);
     }
