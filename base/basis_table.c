@@ -3,6 +3,7 @@
 #include "base/element.h"
 
 #include "base/memory.h"
+#include "base/triangle_rule.h"
 
 #include <stdbool.h>
 #include <string.h>
@@ -15,20 +16,6 @@ static bool has_triangle_face(const element *e)
 // ----------------------------------------------------------------------------------------------------------
 
 enum { MAX_GAUSS = 21 };
-
-// triangle by the collapsed square: x = (1+a)(1-b)/4, y = (1+b)/2, dx dy = (1-b)/8 da db
-static void triangle_rule(int n, const double *g, const double *w, double (*point)[3],
-                          double *weight)
-{
-    for (int j = 0; j < n; j++) {
-        for (int i = 0; i < n; i++) {
-            const int k = j * n + i;
-            point[k][0] = (1 + g[i]) * (1 - g[j]) / 4;
-            point[k][1] = (1 + g[j]) / 2;
-            weight[k] = w[i] * w[j] * (1 - g[j]) / 8;
-        }
-    }
-}
 
 static void square_rule(int n, const double *g, const double *w, double (*point)[3], double *weight)
 {
@@ -45,36 +32,34 @@ static void square_rule(int n, const double *g, const double *w, double (*point)
 // the rule's points and weights in one place; solids repeat the plane rule over the line's points
 static int element_rule(const element *e, int degree, double (*point)[3], double *weight)
 {
-    double g[MAX_GAUSS + 1], w[MAX_GAUSS + 1], gz[MAX_GAUSS + 1], wz[MAX_GAUSS + 1];
-    const int nline = degree / 2 + 1;
-    // the collapsed square has one degree more in b
-    const int n = has_triangle_face(e) ? (degree + 1) / 2 + 1 : nline;
+    double g[MAX_GAUSS + 1], w[MAX_GAUSS + 1];
+    const int n = degree / 2 + 1;
     gauss_legendre(n, g, w);
-    gauss_legendre(nline, gz, wz);
     if (e->dim == 1) {
-        for (int i = 0; i < nline; i++) {
-            point[i][0] = gz[i];
-            weight[i] = wz[i];
+        for (int i = 0; i < n; i++) {
+            point[i][0] = g[i];
+            weight[i] = w[i];
         }
-        return nline;
+        return n;
     }
+    int nplane = n * n;
     if (has_triangle_face(e)) {
-        triangle_rule(n, g, w, point, weight);
+        nplane = triangle_rule(degree, point, weight);
     } else {
         square_rule(n, g, w, point, weight);
     }
     if (e->dim == 2) {
-        return n * n;
+        return nplane;
     }
-    for (int k = nline - 1; k >= 0; k--) {
-        for (int i = 0; i < n * n; i++) {
-            double *to = point[k * n * n + i];
+    for (int k = n - 1; k >= 0; k--) {
+        for (int i = 0; i < nplane; i++) {
+            double *to = point[k * nplane + i];
             memcpy(to, point[i], 2 * sizeof *to);
-            to[2] = gz[k];
-            weight[k * n * n + i] = weight[i] * wz[k];
+            to[2] = g[k];
+            weight[k * nplane + i] = weight[i] * w[k];
         }
     }
-    return n * n * nline;
+    return nplane * n;
 }
 
 status basis_table_make(const element *e, int degree, basis_table *out)
