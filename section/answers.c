@@ -50,16 +50,17 @@ static void cut_free(cut *c)
     section_warping_free(&c->warping);
 }
 
-static status cut_make(const section_question *q, double s, bool solve, cut *c)
+static status cut_make(const section_question *q, double s, double turn_rate, cut *c)
 {
     status st = OK;
     beam_law unused = {0};
+    c->turn_rate = turn_rate;
     TRY(TAKE(c->materials, (size_t)q->request->nmaterial));
     for (int i = 0; i < q->request->nmaterial; i++) {
         c->materials[i] = material_at(&q->materials[i], s);
     }
     TRY(section_mesh_at(q->request, s, &c->mesh));
-    if (solve && q->request->model == MODEL_FULL) {
+    if (q->request->model == MODEL_FULL) {
         TRY(section_turning_mesh(&c->mesh, c->materials, c->turn_rate, &unused, &c->warping));
     }
 
@@ -73,19 +74,6 @@ static status cut_fields(const section_question *q, const cut *c, const beam_law
     return q->request->model == MODEL_FULL
                ? section_fields_make(&c->mesh, &c->warping, c->turn_rate, out)
                : section_fields_classical(&c->mesh, c->materials, &law->K, out);
-}
-
-status section_fields_at(const section_question *q, double s, const beam_law *law,
-                         section_fields *out)
-{
-    status st = OK;
-    cut c = {0};
-    TRY(cut_make(q, s, true, &c));
-    TRY(cut_fields(q, &c, law, out));
-
-done:
-    cut_free(&c);
-    return st;
 }
 
 // --- wrenches
@@ -153,7 +141,7 @@ status section_answer(const section_question *q, const section_station *station,
     status st = OK;
     cut c = {0};
     section_answers a = {.station = index, .EI_warping = NAN};
-    TRY(cut_make(q, station->s, true, &c));
+    TRY(cut_make(q, station->s, station->turn_rate, &c));
     TRY(section_mass_of(&c.mesh, c.materials, &a.mass));
     TRY(section_kern(&c.mesh, &station->law, &a.nkern, &a.kern));
     if (c.warping.nnode > 0) {

@@ -50,14 +50,10 @@ typedef struct section_question {
     bool fields; // keep strains and stresses at the nodes
 } section_question;
 
-// One more solve at the station, and only where warping or wrenches need it.
+// One more solve at the station in the full model.
 status section_answer(const section_question *q, const section_station *station, int index,
                       section_answers *out);
 void section_answers_free(section_answers *a);
-
-// The fields of the case's section at s, by its model; law as section_solve found it there.
-status section_fields_at(const section_question *q, double s, const beam_law *law,
-                         section_fields *out);
 
 // The force and moment of one wrench about the origin.
 vec6 section_wrench_at_origin(const double *at, const double *force, const double *moment);

@@ -74,21 +74,15 @@ done:
 
 // --- likeness
 
-// b is a, mirrored if need be (y -> -y), scaled, and turned by b.turn - a.turn.
-typedef struct likeness {
-    double scale;
-    bool mirror;
-} likeness;
-
-static bool rates_agree(const section_place *a, const section_place *b, const likeness *k,
+static bool rates_agree(const section_place *a, const section_place *b, const section_likeness *k,
                         double size)
 {
     const double known = k->mirror ? -a->turn_rate : a->turn_rate;
     return fabs(b->turn_rate * k->scale - known) * size <= same_rate;
 }
 
-static status is_moved(const section_outline *a, const section_outline *b, const likeness *k,
-                       bool *alike)
+static status is_moved(const section_outline *a, const section_outline *b,
+                       const section_likeness *k, bool *alike)
 {
     status st = OK;
     section_outline moved = {0};
@@ -116,7 +110,7 @@ static material_frame frame_of(const outline *o)
 
 // whether the directions of the materials turn with the outlines
 static bool directions_agree(const section_store *store, const section_outline *a,
-                             const section_outline *b, const likeness *k)
+                             const section_outline *b, const section_likeness *k)
 {
     for (int i = 0; i < a->count && store->traits.anisotropic; i++) {
         material_frame from = frame_of(&a->items[i]);
@@ -131,11 +125,11 @@ static bool directions_agree(const section_store *store, const section_outline *
 }
 
 static status is_like_outline(const section_store *store, const section_outline *a,
-                              const section_outline *b, likeness *k, bool *alike)
+                              const section_outline *b, section_likeness *k, bool *alike)
 {
     status st = OK;
     double angle = 0;
-    *k = (likeness){.scale = 1};
+    *k = (section_likeness){.scale = 1};
     *alike = section_outline_is_turned(a, b, same_outline, &angle) &&
              (!store->traits.across || angle == 0);
     if (*alike || store->traits.across || a->count != b->count) {
@@ -152,8 +146,8 @@ done:
     return st;
 }
 
-static status is_like(const section_store *store, const section_place *a, const section_place *b,
-                      likeness *k, bool *alike)
+status section_store_alike(const section_store *store, const section_place *a,
+                           const section_place *b, section_likeness *k, bool *alike)
 {
     status st = OK;
     *alike = false;
@@ -166,7 +160,7 @@ static status is_like(const section_store *store, const section_place *a, const 
                  directions_agree(store, &a->outline, &b->outline, k);
         return OK;
     }
-    *k = (likeness){.scale = b->scale / a->scale};
+    *k = (section_likeness){.scale = b->scale / a->scale};
     double reach = 0;
     TRY(drawing_reach(store->request->drawing, &reach));
     *alike = a->slice == b->slice && rates_agree(a, b, k, reach) &&
@@ -178,7 +172,7 @@ done:
 
 // K of b from K of a, both in frames that are turned with their patterns: lengths scale, and in a
 // mirror y -> -y the strains gamma_y, kappa_x and tau change their signs.
-static mat6 carried(mat6 K, const likeness *k)
+static mat6 carried(mat6 K, const section_likeness *k)
 {
     const double sign = k->mirror ? -1 : 1, a = k->scale;
     const double factor[6] = {a, sign * a, a, sign * a * a, a * a, sign * a * a};
@@ -189,7 +183,7 @@ static mat6 carried(mat6 K, const likeness *k)
 }
 
 static void count_reuse(section_effort *effort, const section_place *a, const section_place *b,
-                        const likeness *k)
+                        const section_likeness *k)
 {
     if (k->mirror) {
         effort->nmirrored++;
@@ -209,8 +203,8 @@ static status find(section_store *store, const section_place *p, beam_law *turne
     *found = false;
     for (int i = 0; i < store->count && !*found; i++) {
         const solved_section *known = &store->solved[i];
-        likeness k = {0};
-        TRY(is_like(store, &known->place, p, &k, found));
+        section_likeness k = {0};
+        TRY(section_store_alike(store, &known->place, p, &k, found));
         if (*found) {
             *turned = known->turned;
             turned->K = carried(turned->K, &k);
@@ -225,7 +219,7 @@ done:
 
 // --- new ones
 
-static const material *materials_at(section_store *store, double s)
+const material *section_store_materials(section_store *store, double s)
 {
     for (int i = 0; store->frozen && i < store->request->nmaterial; i++) {
         store->frozen[i] = material_at(&store->materials[i], s);
@@ -246,7 +240,7 @@ static status solve_or_recall(section_store *store, const section_place *p, beam
         *law = *found;
         store->effort.nstored++;
     } else {
-        TRY(section_solve_place(c, materials_at(store, p->s), p, law, &meshed));
+        TRY(section_solve_place(c, section_store_materials(store, p->s), p, law, &meshed));
         store->effort.nsolved++;
     }
     if (store->count == 0) {
@@ -289,12 +283,10 @@ static bool stands_still(const section_store *store, const section_place *p)
     return still;
 }
 
-status section_store_law(section_store *store, double s, beam_law *turned, section_place *place)
+status section_store_place(const section_store *store, double s, section_place *out)
 {
-    status st = OK;
     section_place p = {0};
-    bool found = false;
-    TRY(section_place_at(store->request, s, store->length, &p));
+    const status st = section_place_at(store->request, s, store->length, &p);
     if (store->request->model == MODEL_CLASSICAL) {
         p.turn_rate = 0;
         p.uneven = false;
@@ -302,6 +294,16 @@ status section_store_law(section_store *store, double s, beam_law *turned, secti
         p.turn_rate = 0;
         p.uneven = true;
     }
+    *out = p;
+    return st;
+}
+
+status section_store_law(section_store *store, double s, beam_law *turned, section_place *place)
+{
+    status st = OK;
+    section_place p = {0};
+    bool found = false;
+    TRY(section_store_place(store, s, &p));
     store->effort.uneven = store->effort.uneven || p.uneven;
     TRY(find(store, &p, turned, &found));
     if (!found) {

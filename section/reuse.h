@@ -10,6 +10,12 @@ typedef struct solved_section {
     beam_law turned; // in the frame that is turned by place.turn
 } solved_section;
 
+// b is a, mirrored if need be (y -> -y), scaled, and turned by b.turn - a.turn.
+typedef struct section_likeness {
+    double scale;
+    bool mirror;
+} section_likeness;
+
 // What all materials of a case allow.
 typedef struct material_traits {
     bool along, across; // graded: E over s; E over x and y
@@ -35,3 +41,11 @@ void section_store_free(section_store *store);
 
 // The law at s in the frame turned by place->turn, solved or found; the caller frees *place.
 status section_store_law(section_store *store, double s, beam_law *turned, section_place *place);
+
+// What the section is at s, with the turning that its K knows.
+status section_store_place(const section_store *store, double s, section_place *out);
+// Whether the section at b is that at a, moved.
+status section_store_alike(const section_store *store, const section_place *a,
+                           const section_place *b, section_likeness *k, bool *alike);
+// The materials as they are at s; until the next call.
+const material *section_store_materials(section_store *store, double s);
