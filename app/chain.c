@@ -111,6 +111,8 @@ status chain_run(const command *cmd, const case_data *c, chain_parts parts, run_
     if (parts.section || parts.rod || parts.compare) {
         command_progress(cmd, "section");
         TRY(chain_section(c, parts.pictures, &r));
+        TRY(chain_points(c, &r));
+        TRY(parts.answers ? chain_answers(c, parts.pictures, &r) : OK);
     }
     if (parts.rod) {
         TRY(warn_tendons(cmd, c));

@@ -10,6 +10,7 @@
 typedef struct chain_parts {
     bool section, rod, segment, compare;
     bool pictures; // what only figures and the store need: the section's mesh, displacements
+    bool answers;  // mass, kern, warping constant of the sections, stresses under their wrenches
 } chain_parts;
 
 // Everything that the case asks for.
@@ -22,6 +23,10 @@ status chain_run(const command *cmd, const case_data *c, chain_parts parts, run_
 // The steps. chain_about fills what does not need computing: title, text, materials.
 status chain_about(const command *cmd, const case_data *c, run_result *out);
 status chain_section(const case_data *c, bool mesh, run_result *out);
+// What the case asks of its stations beyond K; fields: strains and stresses at the nodes of the
+// first one too. After chain_section.
+status chain_answers(const case_data *c, bool fields, run_result *out);
+status chain_points(const case_data *c, run_result *out);
 status chain_rods(const command *cmd, const case_data *c, run_result *out); // after chain_section
 status chain_segment(const case_data *c, bool displacements, run_result *out);
 

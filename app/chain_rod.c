@@ -9,6 +9,9 @@
 // tangents for the total bend: 360 steps follow a rod that winds up many times
 enum { BEND_SAMPLES = 361 };
 
+// places along the rod where the materials' strains are looked at, ends included
+enum { STRAIN_SAMPLES = 61 };
+
 double chain_total_bend(int npose, const pose *shape)
 {
     const vec3 base = {{shape[0].R.a[0][2], shape[0].R.a[1][2], shape[0].R.a[2][2]}};
@@ -40,30 +43,66 @@ done:
     return st;
 }
 
-// curvature along the shape and a bound of the axial strain in the section: |eps| + |kappa| times
-// the section's reach
-static status follow_strain(const case_data *c, const rod *r, int npoint, struct rod_run *run)
+static status follow_curvature(const rod *r, int npoint, struct rod_run *run)
 {
     status st = OK;
-    const bool vary = section_varies(&c->file.section);
-    double reach = 0;
     for (int i = 0; i < npoint; i++) {
         vec6 xi;
         TRY(rod_strain_at(r, run->s[i], &xi));
-        if (i == 0 || vary) {
-            TRY(section_reach_at(&c->file.section, run->s[i], &reach));
-        }
         memcpy(run->curvature[i], &xi.a[3], sizeof run->curvature[i]);
-        const double strain = fabs(xi.a[2] - 1) + hypot(xi.a[3], xi.a[4]) * reach;
-        run->largest_strain = fmax(run->largest_strain, strain);
     }
 
 done:
     return st;
 }
 
-static status solve_run(const case_data *c, rod *r, const double *tension, rod_result *rods,
-                        struct rod_run *run)
+// --- strains of the materials
+
+typedef struct samples {
+    double s[STRAIN_SAMPLES];
+    vec6 *wrench; // [solution][STRAIN_SAMPLES] of the sections
+} samples;
+
+// K (xi - xi*) at the samples of the solution at hand, docs/theory.md (1.2)
+static status sample_wrenches(const rod *r, const law_along *law, int solution, samples *all)
+{
+    status st = OK;
+    for (int i = 0; i < STRAIN_SAMPLES; i++) {
+        mat6 K;
+        vec6 xi;
+        TRY(rod_strain_at(r, all->s[i], &xi));
+        xi.a[2] -= 1;
+        law_along_at(law, all->s[i], &K, NULL);
+        all->wrench[(size_t)solution * STRAIN_SAMPLES + (size_t)i] = mat6_mul_vec(K, xi);
+    }
+
+done:
+    return st;
+}
+
+static status find_strains(const case_data *c, const samples *all, run_result *out)
+{
+    status st = OK;
+    section_strain_place *places = NULL;
+    const int n = out->rod.nsolution;
+    const section_wrenches_along along = {STRAIN_SAMPLES, all->s, n, all->wrench};
+    TRY(TAKE(places, (size_t)n * (size_t)c->nmaterial));
+    TRY(section_strain_along(&c->file.section, c->materials, &out->section.along, &along, places));
+    for (int i = 0; i < n; i++) {
+        struct rod_run *run = &out->rod.run[i];
+        TRY(TAKE(run->strain, (size_t)c->nmaterial));
+        for (int m = 0; m < c->nmaterial; m++) {
+            run->strain[m] = places[(size_t)i * (size_t)c->nmaterial + (size_t)m];
+            run->largest_strain = fmax(run->largest_strain, fabs(run->strain[m].value));
+        }
+    }
+
+done:
+    free(places);
+    return st;
+}
+
+static status solve_run(rod *r, const double *tension, rod_result *rods, struct rod_run *run)
 {
     status st = OK;
     double s[BEND_SAMPLES];
@@ -75,7 +114,7 @@ static status solve_run(const case_data *c, rod *r, const double *tension, rod_r
     TRY(rod_solve(r, tension, &solution));
     TRY(rod_shape(r, rods->npoint, run->s, run->shape));
     TRY(rod_shape(r, BEND_SAMPLES, s, samples));
-    TRY(follow_strain(c, r, rods->npoint, run));
+    TRY(follow_curvature(r, rods->npoint, run));
     run->tip = solution.tip;
     run->iterations = solution.iterations;
     run->relative_error = solution.relative_error;
@@ -110,6 +149,7 @@ status chain_rods(const command *cmd, const case_data *c, run_result *out)
     const rod_case *rc = &c->file.rod;
     const rod_options options = {.frame = rc->frame, .tolerance = rc->tolerance};
     rod *r = NULL;
+    samples all = {0};
     if (rc->tendons.count > RESULT_MAX_TENDONS) {
         return config_fail(c->config, rc->tendons.at, "%d tendons: at most %d", rc->tendons.count,
                            RESULT_MAX_TENDONS);
@@ -118,6 +158,10 @@ status chain_rods(const command *cmd, const case_data *c, run_result *out)
     out->rod.npoint = rc->points;
     describe_tendons(rc, &out->rod);
     TRY(TAKE(out->rod.run, (size_t)rc->tensions.nrow));
+    TRY(TAKE(all.wrench, (size_t)rc->tensions.nrow * STRAIN_SAMPLES));
+    for (int i = 0; i < STRAIN_SAMPLES; i++) {
+        all.s[i] = rc->length * i / (STRAIN_SAMPLES - 1);
+    }
     st = rod_make(&out->section.along, rc->tendons.count, rc->tendons.items, &options, &r);
     TRY(case_place(c, st, rc->at));
     for (int i = 0; i < rc->tensions.nrow; i++) {
@@ -126,12 +170,15 @@ status chain_rods(const command *cmd, const case_data *c, run_result *out)
         command_progress(cmd, words);
         out->rod.nsolution = i + 1; // from here the result owns what solve_run takes
         const double *tension = rc->tensions.a + (size_t)i * (size_t)rc->tensions.ncol;
-        st = solve_run(c, r, tension, &out->rod, &out->rod.run[i]);
+        st = solve_run(r, tension, &out->rod, &out->rod.run[i]);
         TRY(case_place(c, st, rc->tensions.at));
+        TRY(sample_wrenches(r, &out->section.along, i, &all));
     }
+    TRY(find_strains(c, &all, out));
     out->has_rod = true;
 
 done:
+    free(all.wrench);
     rod_free(r);
     return st;
 }

@@ -72,6 +72,7 @@ static status do_study(command *cmd, const study *what)
     TRY(save_check(cmd));
     chain_parts parts = what->parts(&c);
     parts.pictures = cmd->out != NULL;
+    parts.answers = cmd->out || (parts.section && (cmd->json || c.file.section.wrenches.count > 0));
     TRY(chain_run(cmd, &c, parts, &r));
     TRY(save_result(cmd, &r));
     command_progress(cmd, NULL);

@@ -12,22 +12,7 @@ static const double rounding = 1e-11;
 
 static const double degrees = 180 / 3.14159265358979323846;
 
-// largest strain of the rod's materials that is still close to linear; 0 where none is told
-static double linear_limit(const run_result *r)
-{
-    double limit = 0;
-    for (int i = 0; i < r->nmaterial; i++) {
-        const double strain = r->materials[i].linear_strain;
-        if (strain > 0 && (limit <= 0 || strain < limit)) {
-            limit = strain;
-        }
-    }
-    return limit;
-}
-
-// in the unit shown, where less than half of the last digit is no number and its sign no
-// information
-static double shown(double value, double last_digit)
+double print_shown(double value, double last_digit)
 {
     return fabs(value) < 0.5 * last_digit ? 0 : value;
 }
@@ -73,27 +58,30 @@ void print_section(const run_result *r)
         const section_station *one = &section->station[i];
         const beam_centres *c = &one->centres;
         printf("%9.3f %10.5g %8.4f %8.4f %8.3f %10.5g %10.5g %10.5g %8.4f %8.4f %8.1e\n",
-               1e3 * one->s, c->EA, shown(1e3 * c->stiffness_centre[0], 1e-4),
-               shown(1e3 * c->stiffness_centre[1], 1e-4), shown(degrees * c->principal_angle, 1e-3),
-               1e6 * c->EI[0], 1e6 * c->EI[1], 1e6 * c->GJ, shown(1e3 * c->shear_centre[0], 1e-4),
-               shown(1e3 * c->shear_centre[1], 1e-4), one->law.relative_error);
+               1e3 * one->s, c->EA, print_shown(1e3 * c->stiffness_centre[0], 1e-4),
+               print_shown(1e3 * c->stiffness_centre[1], 1e-4),
+               print_shown(degrees * c->principal_angle, 1e-3), 1e6 * c->EI[0], 1e6 * c->EI[1],
+               1e6 * c->GJ, print_shown(1e3 * c->shear_centre[0], 1e-4),
+               print_shown(1e3 * c->shear_centre[1], 1e-4), one->law.relative_error);
     }
     if (section->station[0].centres.isotropic) {
         printf("no preferred axes at the first station: its angle is 0 by convention\n");
     }
     print_stiffness("stiffness at the first station, about the geometric centre [N, N mm, N mm^2]",
                     &section->station[0].law.K);
+    print_answers(r);
 }
 
-static void print_run(const rod_result *rods, const struct rod_run *run, double limit)
+static void print_run(const run_result *r, const struct rod_run *run)
 {
+    const rod_result *rods = &r->rod;
     for (int k = 0; k < rods->ntendon; k++) {
         printf(" %7.3f", run->tension[k]);
     }
-    printf("  %9.4f %9.4f %9.4f %9.2f %8.2f%s", shown(1e3 * run->tip.p.a[0], 1e-4),
-           shown(1e3 * run->tip.p.a[1], 1e-4), shown(1e3 * run->tip.p.a[2], 1e-4),
+    printf("  %9.4f %9.4f %9.4f %9.2f %8.2f%s", print_shown(1e3 * run->tip.p.a[0], 1e-4),
+           print_shown(1e3 * run->tip.p.a[1], 1e-4), print_shown(1e3 * run->tip.p.a[2], 1e-4),
            degrees * run->total_bend_rad, 100 * run->largest_strain,
-           limit > 0 && run->largest_strain > limit ? "!" : " ");
+           result_beyond_linear(r, run) >= 0 ? "!" : " ");
     for (int k = 0; k < rods->ntendon; k++) {
         printf(" %9.3f", 1e3 * run->tendon_length[k]);
     }
@@ -103,8 +91,6 @@ static void print_run(const rod_result *rods, const struct rod_run *run, double 
 void print_rods(const run_result *r)
 {
     const rod_result *rods = &r->rod;
-    const double limit = linear_limit(r);
-    bool beyond = false;
     printf("rod: %.4g mm, tendon%s", 1e3 * r->rod_length, rods->ntendon == 1 ? "" : "s");
     for (int k = 0; k < rods->ntendon; k++) {
         printf("%s %s", k ? "," : "", rods->tendon_name[k]);
@@ -112,13 +98,9 @@ void print_rods(const run_result *r)
     printf("\n%*s  %29s %9s %9s %*s %6s %8s\n", 8 * rods->ntendon, "tension N", "tip x, y, z mm",
            "bend deg", "strain %", 10 * rods->ntendon, "tendon mm", "steps", "error");
     for (int i = 0; i < rods->nsolution; i++) {
-        print_run(rods, &rods->run[i], limit);
-        beyond = beyond || (limit > 0 && rods->run[i].largest_strain > limit);
+        print_run(r, &rods->run[i]);
     }
-    if (beyond) {
-        printf("! strain beyond %.3g %%, where the materials stop being close to linear\n",
-               100 * limit);
-    }
+    print_strains(r);
 }
 
 static double angle_of(const double *rotation)
@@ -136,16 +118,16 @@ void print_segment(const run_result *r)
            1e3 * r->segment_length, bases[r->segment_base], tips[r->segment_tip], fem->dofs,
            fem->relative_error);
     printf("centre found by FEM: x = %.4f mm, y = %.4f mm\n",
-           shown(1e3 * fem->stiffness_centre[0], 1e-4),
-           shown(1e3 * fem->stiffness_centre[1], 1e-4));
+           print_shown(1e3 * fem->stiffness_centre[0], 1e-4),
+           print_shown(1e3 * fem->stiffness_centre[1], 1e-4));
     printf("%-24s %17s %12s %10s %21s %12s\n", "load", "at x, y mm", "shortening", "tip angle",
            "mid curvature x, y", "energy");
     printf("%-24s %17s %12s %10s %21s %12s\n", "", "", "mm", "deg", "1/m", "mJ");
     for (int i = 0; i < fem->nload; i++) {
         const segment_load_result *load = &fem->load[i];
         printf("%-24.24s %8.4f %8.4f %12.6f %10.4f %10.5f %10.5f %12.6f\n",
-               load->name ? load->name : "", shown(1e3 * load->point[0], 1e-4),
-               shown(1e3 * load->point[1], 1e-4), shown(1e3 * load->shortening, 1e-6),
+               load->name ? load->name : "", print_shown(1e3 * load->point[0], 1e-4),
+               print_shown(1e3 * load->point[1], 1e-4), print_shown(1e3 * load->shortening, 1e-6),
                angle_of(load->tip_rotation), load->mid_curvature[0], load->mid_curvature[1],
                1e3 * load->strain_energy);
     }

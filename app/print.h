@@ -6,9 +6,18 @@
 #include "reports/result.h"
 
 void print_section(const run_result *r);
+// Below print_section's table: shear, places that the case asks for, stresses under its wrenches.
+void print_answers(const run_result *r);
 void print_rods(const run_result *r);
 void print_segment(const run_result *r);
 void print_compare(const run_result *r);
+
+// Of every material the largest strain among the rod's solutions, and where.
+void print_strains(const run_result *r);
+
+// In the unit shown, where less than half of the last digit is no number and its sign no
+// information.
+double print_shown(double value, double last_digit);
 
 // K in N, N mm and N mm^2, order nx ny nz mx my mz.
 void print_stiffness(const char *title, const mat6 *K);

@@ -1,6 +1,7 @@
 // reports/result.c
 #include "reports/result.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 static void free_rods(rod_result *rod)
@@ -9,6 +10,7 @@ static void free_rods(rod_result *rod)
         free(rod->run[i].s);
         free(rod->run[i].shape);
         free(rod->run[i].curvature);
+        free(rod->run[i].strain);
     }
     free(rod->run);
 }
@@ -25,6 +27,11 @@ void run_result_free(run_result *r)
     free(r->materials);
     free(r->case_text);
     section_result_free(&r->section);
+    for (int i = 0; i < r->nanswer; i++) {
+        section_answers_free(&r->answer[i]);
+    }
+    free(r->answer);
+    free(r->point);
     mesh_free(&r->section_mesh);
     free_rods(&r->rod);
     mesh_free(&r->segment_plane);
@@ -32,4 +39,29 @@ void run_result_free(run_result *r)
     segment_result_free(&r->segment);
     free(r->compare);
     *r = (run_result){0};
+}
+
+int result_beyond_linear(const run_result *r, const struct rod_run *run)
+{
+    int worst = -1;
+    double most = 1;
+    for (int i = 0; i < r->nmaterial; i++) {
+        const double limit = r->materials[i].linear_strain;
+        const double strain = run->strain ? fabs(run->strain[i].value) : run->largest_strain;
+        if (limit > 0 && strain / limit > most) {
+            most = strain / limit;
+            worst = i;
+        }
+    }
+    return worst;
+}
+
+const section_answers *result_answers(const run_result *r, int station)
+{
+    for (int i = 0; i < r->nanswer; i++) {
+        if (r->answer[i].station == station) {
+            return &r->answer[i];
+        }
+    }
+    return NULL;
 }

@@ -11,7 +11,9 @@
 #include "io/csv.h"
 #include "io/json.h"
 #include "io/store.h"
+#include "section/answers.h"
 #include "section/section.h"
+#include "section/strain_along.h"
 
 #include <stdbool.h>
 
@@ -40,11 +42,12 @@ typedef struct rod_result {
                                // the rod
         int iterations;
         double relative_error;
-        double largest_strain; // bound over the section: |eps| + |kappa| r at the worst station [-]
-        double *s;             // [npoint] [m]
-        pose *shape;           // [npoint]
-        double (*curvature)[3]; // [npoint] body components of w (kx, ky, twist) [1/m]
-    } * run;                    // [nsolution]
+        double largest_strain;        // principal, over all materials and the whole rod [-]
+        section_strain_place *strain; // [nmaterial] the same for each; NULL: not known
+        double *s;                    // [npoint] [m]
+        pose *shape;                  // [npoint]
+        double (*curvature)[3];       // [npoint] body components of w (kx, ky, twist) [1/m]
+    } * run;                          // [nsolution]
 } rod_result;
 
 enum { RESULT_MAX_TENDONS = 16 };
@@ -60,6 +63,10 @@ typedef struct run_result {
 
     bool has_section, has_rod, has_segment, has_compare;
     section_result section;
+    int nanswer;
+    section_answers *answer; // of the stations asked for, else of the first; in their order
+    int npoint;
+    double (*point)[2]; // about which K is asked for too [m]
     int section_model;
     mesh section_mesh; // at the first station; nnode 0 where none was made
     double symmetry_turn;
@@ -80,6 +87,12 @@ typedef struct run_result {
 } run_result;
 
 void run_result_free(run_result *r);
+
+// The material that a solution of the rod strains furthest past its linear strain, over that
+// strain; -1: none, or none is told.
+int result_beyond_linear(const run_result *r, const struct rod_run *run);
+// What belongs to a station beyond its law; NULL where it was not asked for.
+const section_answers *result_answers(const run_result *r, int station);
 
 // reports/result_json.c: the documents of the contract ("stiffaxis/section/1" ...). run: {"schema":
 // "stiffaxis/run/1", "section":

@@ -1,7 +1,7 @@
 // reports/result_json.c
 // The documents of the program's contract. Keys carry their unit; matrices are arrays of rows in
 // the order nx ny nz mx my mz at the geometric centre. What is not a number is null.
-#include "reports/result.h"
+#include "reports/json_parts.h"
 
 #include <math.h>
 
@@ -28,8 +28,9 @@ static void write_mat3(json *j, const char *key, const mat3 *m)
     json_array_end(j);
 }
 
-static void write_station(json *j, const section_station *s)
+static status write_station(json *j, const run_result *r, int station)
 {
+    const section_station *s = &r->section.station[station];
     const beam_centres *c = &s->centres;
     json_object(j, NULL);
     json_real(j, "s_m", s->s);
@@ -44,11 +45,14 @@ static void write_station(json *j, const section_station *s)
     json_reals(j, "shear_centre_m", 2, c->shear_centre);
     json_mat6(j, "K", s->law.K);
     json_real(j, "relative_error", s->law.relative_error);
+    const status st = json_station_answers(j, r, station);
     json_object_end(j);
+    return st;
 }
 
 status result_json_section(json *j, const char *key, const run_result *r)
 {
+    status st = OK;
     begin(j, key, "stiffaxis/section/1", r);
     json_text(j, "model", model_names[r->section_model]);
     json_integer(j, "sections_solved", r->section.effort.nsolved);
@@ -58,11 +62,13 @@ status result_json_section(json *j, const char *key, const run_result *r)
     }
     json_array(j, "stations");
     for (int i = 0; i < r->section.nstation; i++) {
-        write_station(j, &r->section.station[i]);
+        TRY(write_station(j, r, i));
     }
     json_array_end(j);
     json_object_end(j);
-    return OK;
+
+done:
+    return st;
 }
 
 static void write_shape(json *j, const struct rod_run *run, int npoint)
@@ -78,8 +84,9 @@ static void write_shape(json *j, const struct rod_run *run, int npoint)
     json_array_end(j);
 }
 
-static void write_run(json *j, const rod_result *rod, const struct rod_run *run)
+static void write_run(json *j, const run_result *r, const struct rod_run *run)
 {
+    const rod_result *rod = &r->rod;
     json_object(j, NULL);
     json_reals(j, "tensions_N", rod->ntendon, run->tension);
     json_reals(j, "tip_position_m", 3, run->tip.p.a);
@@ -92,6 +99,7 @@ static void write_run(json *j, const rod_result *rod, const struct rod_run *run)
     json_flag(j, "stable", true);
     json_real(j, "relative_error", run->relative_error);
     json_real(j, "largest_strain", run->largest_strain);
+    json_run_strains(j, r, run);
     write_shape(j, run, rod->npoint);
     json_object_end(j);
 }
@@ -107,7 +115,7 @@ status result_json_rod(json *j, const char *key, const run_result *r)
     json_array_end(j);
     json_array(j, "solutions");
     for (int i = 0; i < r->rod.nsolution; i++) {
-        write_run(j, &r->rod, &r->rod.run[i]);
+        write_run(j, r, &r->rod.run[i]);
     }
     json_array_end(j);
     json_object_end(j);
