@@ -244,7 +244,8 @@ static status solve_or_recall(section_store *store, const section_place *p, beam
         store->effort.nsolved++;
     }
     if (store->count == 0) {
-        TRY(section_resolution(c, materials_at(store, p->s), p, law, &store->resolution));
+        TRY(section_resolution(c, section_store_materials(store, p->s), p, law,
+                               &store->resolution));
     }
     store->effort.meshed = store->effort.meshed || meshed || found;
     if (comparable) {
