@@ -27,6 +27,12 @@ static const drawing_kind *kind_of(const drawing_files *f)
     if (mark_given(f->msh.at)) {
         return &msh_drawing;
     }
+    if (mark_given(f->step.at)) {
+        return &step_drawing;
+    }
+    if (mark_given(f->geo.at)) {
+        return &geo_drawing;
+    }
     return NULL;
 }
 

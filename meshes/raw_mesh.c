@@ -272,6 +272,32 @@ done:
     return st;
 }
 
+status raw_mesh_make(const raw_mesh *r, mesh *out)
+{
+    status st = OK;
+    finish f = {.r = r};
+    int nnode = 0;
+
+    if (r->nelem < 1) {
+        TRY(input_file_fail(r->file, 0, "no element belongs to a material"));
+    }
+    TRY(raw_check_plane(r));
+    TRY(TAKE(f.turned, (size_t)r->nelem));
+    TRY(raw_check_turns(r, f.turned));
+    TRY(raw_check_edges(r, f.turned));
+    TRY(number_nodes(&f, &nnode));
+    TRY(make_blocks(&f, nnode));
+    *out = f.m;
+    f.m = (mesh){0};
+
+done:
+    free(f.turned);
+    free(f.number);
+    free(f.placed);
+    mesh_free(&f.m);
+    return st;
+}
+
 // mesh_check speaks of our own numbers; what it found is the file's fault
 static status check(const raw_mesh *r, const mesh *m)
 {
@@ -288,26 +314,13 @@ static status check(const raw_mesh *r, const mesh *m)
 status raw_mesh_finish(const raw_mesh *r, mesh *out)
 {
     status st = OK;
-    finish f = {.r = r};
-    int nnode = 0;
-
-    if (r->nelem < 1) {
-        TRY(input_file_fail(r->file, 0, "no element belongs to a material"));
-    }
-    TRY(raw_check_plane(r));
-    TRY(TAKE(f.turned, (size_t)r->nelem));
-    TRY(raw_check_turns(r, f.turned));
-    TRY(raw_check_edges(r, f.turned));
-    TRY(number_nodes(&f, &nnode));
-    TRY(make_blocks(&f, nnode));
-    TRY(check(r, &f.m));
-    *out = f.m;
-    f.m = (mesh){0};
+    mesh m = {0};
+    TRY(raw_mesh_make(r, &m));
+    TRY(check(r, &m));
+    *out = m;
+    m = (mesh){0};
 
 done:
-    free(f.turned);
-    free(f.number);
-    free(f.placed);
-    mesh_free(&f.m);
+    mesh_free(&m);
     return st;
 }

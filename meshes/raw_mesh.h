@@ -41,5 +41,8 @@ void raw_mesh_free(raw_mesh *r);
 // are turned over are turned back; nodes without elements are left out.
 status raw_mesh_finish(const raw_mesh *r, mesh *out);
 
+// The same without the last check: elements may be inverted.
+status raw_mesh_make(const raw_mesh *r, mesh *out);
+
 // Place of gmsh's node i on the lattice of base/element.h: lattice[i], for i < node count.
 void raw_lattice(shape shape, int order, int *lattice);

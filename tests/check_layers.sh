@@ -16,12 +16,13 @@ below() {
     esac
 }
 
-# header pattern, then the only file that may include it
+# header pattern, then the only file that may include it. gmsh's one door has several files: what it meshes for us,
+# and what it reads itself in a sealed process
 foreign='yaml.h io/yaml_door.c
 muParserDLL.h io/expression.c
 hdf5.h io/hdf5_door_module.c
 png.h meshes/png_door.c
-gmshc.h meshes/gmsh_door_module.c
+gmshc.h meshes/(gmsh|cad|cad_cut|cad_sizes)_door_module.c
 cholmod.h section/cholmod_door.c
 omp.h section/cholmod_door.c
 petsc fem/petsc_door_module.c
@@ -38,7 +39,7 @@ for room in base io meshes section rodsolver fem reports app; do
     fi
 done
 while read -r header door; do
-    wrong=$(grep -nE "^#include <$header" ./*/*.c ./*/*.h | grep -v "^./$door:" || true)
+    wrong=$(grep -nE "^#include <$header" ./*/*.c ./*/*.h | grep -vE "^./$door:" || true)
     if [ -n "$wrong" ]; then
         printf '<%s> belongs to %s:\n%s\n' "$header" "$door" "$wrong"
         bad=1

@@ -194,7 +194,7 @@ static void what_makes_no_section_is_refused_in_one_line(void)
 {
     static const char *const cases[][2] = {
         {"", "empty"},
-        {"SystemCall(\"touch /tmp/x\");\n", "text that begins with 'SystemCall"},
+        {"SystemCall \"touch /tmp/x\";\n", "text that begins with 'SystemCall"},
         {"#!/bin/sh\nid\n", "a script"},
         {"\x7f"
          "ELF",
@@ -202,7 +202,7 @@ static void what_makes_no_section_is_refused_in_one_line(void)
         {"$MeshFormat\n4 0 8\n$EndMeshFormat\n", ":2: MSH version 4 is not read"},
         {"$MeshFormat\n2.2 0 4\n$EndMeshFormat\n", ":2: a file of type 0"},
         {"$MeshFormat\n2.2 0 8\n", ":3: the file ends here"},
-        {HEAD "SystemCall(\"touch /tmp/x\");\n", ":9: a section's name is wanted here"},
+        {HEAD "SystemCall \"touch /tmp/x\";\n", ":9: a section's name is wanted here"},
         {HEAD NODES, "the file ends without $Elements"},
         {HEAD ELEMENTS NODES, "before $Nodes"},
         {HEAD NODES NODES ELEMENTS, "$Nodes comes twice"},
