@@ -213,7 +213,7 @@ static status read_plane(const char *directory, mat3 *out)
     status st = OK;
     for (int i = 0; i < 3; i++) {
         for (int j = 0; j < 3; j++) {
-            char name[16];
+            char name[32];
             (void)snprintf(name, sizeof name, "k%d%d.txt", i, j);
             TRY(read_number(directory, name, &out->a[i][j]));
             out->a[i][j] *= metres[i] * metres[j];

@@ -25,6 +25,20 @@ static bool is_used(const mesh *m, int material)
     return false;
 }
 
+// of a directed material E along the rod, of a graded one that at the origin
+static void material_numbers(canvas *c, const material *m, double x, double y)
+{
+    static const char *const kinds[] = {"isotropic", "orthotropic", "anisotropic"};
+    const bool graded = m->modulus.across || m->modulus.along;
+    const text_look look = look_aligned(LOOK_SMALL, TEXT_RIGHT);
+    const number_text E = number_short(m->E * 1e-6, 5);
+    if (m->kind == MATERIAL_ISOTROPIC && !graded) {
+        say(c, x, y, look, "E = %s MPa,  ν = %s", E.text, number_short(m->nu, 4).text);
+    } else {
+        say(c, x, y, look, "%s, E = %s MPa", graded ? "graded" : kinds[m->kind], E.text);
+    }
+}
+
 static double materials(canvas *c, const run_result *r, box at)
 {
     double y = at.y + 12;
@@ -43,9 +57,7 @@ static double materials(canvas *c, const run_result *r, box at)
         canvas_rectangle(c, at.x, y - 10, 20, 12);
         canvas_fill_stroke(c, colour_material(m), INK, 0.9);
         say_within(c, at.x + 30, y, at.w - 200, LOOK_TEXT, r->materials[m].name);
-        say(c, at.x + at.w, y, look_aligned(LOOK_SMALL, TEXT_RIGHT), "E = %s MPa,  ν = %s",
-            number_short(r->materials[m].E * 1e-6, 5).text,
-            number_short(r->materials[m].nu, 4).text);
+        material_numbers(c, &r->materials[m], at.x + at.w, y);
     }
     if (left_off > 0) {
         y += row;
