@@ -74,8 +74,39 @@ static void refuses_singular_and_indefinite(void)
     }
 }
 
+// A Hermitian chain with phases: D^H A D with D = diag(i^j) has the solutions D^H x.
+static void solves_hermitian_systems(void)
+{
+    int start[N + 1], row[2 * N], order[N];
+    double value[2 * N], pair[4 * N], b[4 * N], x[4 * N];
+    const double phase[4][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
+    sparse_lower a = chain(2, start, row, value);
+    CHECK_OK(cholesky_order(&(sparse_lower){.n = N, .start = start, .row = row}, order));
+    for (int k = 0; k < start[N]; k++) {
+        // below the diagonal conj(i^(j + 1)) i^j = -i
+        const int diagonal = value[k] > 0;
+        pair[2 * k] = diagonal ? value[k] : 0;
+        pair[2 * k + 1] = diagonal ? 0 : -value[k];
+    }
+    a.value = pair;
+    a.complex = true;
+    for (int i = 0; i < 2 * N; i++) { // conj(i^j), and twice that
+        b[i] = i % 2 ? -phase[i / 2 % 4][1] : phase[i / 2 % 4][0];
+        b[2 * N + i] = 2 * b[i];
+    }
+    cholesky *c = NULL;
+    CHECK_OK(cholesky_make(&a, order, &c));
+    CHECK_OK(cholesky_solve(c, 2, N, b, x));
+    for (int i = 0; i < 4 * N; i++) {
+        const int j = i % (2 * N) / 2;
+        CHECK_WITHIN(x[i], (j + 1) * (N - j) / 2.0 * b[i], 1e-10);
+    }
+    cholesky_free(c);
+}
+
 int main(void)
 {
+    solves_hermitian_systems();
     solves_several_columns();
     orders_are_permutations();
     refuses_singular_and_indefinite();

@@ -126,6 +126,40 @@ static void nothing_turns_in_an_annulus(void)
     mesh_free(&m);
 }
 
+// Nor in one that is wound from fibres: polar frames, all three displacements coupled.
+static void nothing_turns_in_a_wound_annulus(void)
+{
+    material ply = {.name = "ply",
+                    .E1 = 20e6,
+                    .E2 = 1.4e6,
+                    .E3 = 1.2e6,
+                    .G12 = 0.9e6,
+                    .G13 = 0.8e6,
+                    .G23 = 0.5e6,
+                    .nu12 = 0.42,
+                    .nu13 = 0.35,
+                    .nu23 = 0.3};
+    prototype p;
+    mesh m = {0};
+    const mesh_options options = {.kind = MESH_MAPPED, .order = 4, .size = 4e-4};
+    prototype_set(&p, 1, 0, 0);
+    CHECK_OK(material_bind(&ply));
+    CHECK_OK(section_mesh_make(&p.all, &options, &m));
+    CHECK_OK(mesh_take_frames(&m, 1));
+    m.frame[0] = material_frame_make(0, 0.5);
+    m.frame[0].polar = true;
+    for (int e = 0; e < m.block[0].nelem; e++) {
+        m.block[0].frame[e] = 0;
+    }
+    const beam_law still = turning_law(&m, &ply, 0), fast = turning_law(&m, &ply, 600);
+    const double error = mat6_relative_error(fast.K, still.K);
+    printf("wound annulus at 600 rad/m: K %.2e, K[nz,mz] %.2e of its diagonal\n", error,
+           still.K.a[NZ][MZ] / sqrt(still.K.a[NZ][NZ] * still.K.a[MZ][MZ]));
+    CHECK(error < 1e-8);
+    CHECK(fabs(still.K.a[NZ][MZ]) > 0.1 * sqrt(still.K.a[NZ][NZ] * still.K.a[MZ][MZ]));
+    mesh_free(&m);
+}
+
 // --- a wire wound to a helix
 
 enum { WIRE_RADIUS_UM = 50, COIL_RADIUS_UM = 5000 };
@@ -201,6 +235,7 @@ int main(void)
     turning_the_other_way_is_a_mirror_image();
     slow_turning_is_prismatic();
     nothing_turns_in_an_annulus();
+    nothing_turns_in_a_wound_annulus();
     a_thin_helix_is_a_curved_rod();
     return test_failures != 0;
 }
