@@ -27,8 +27,8 @@ static int frame_of(const matter *m, const mesh_block *b, int index)
 
 static mat6 stiffness_of(const matter *m, int index, int frame, double x, double y)
 {
-    return material_stiffness_in(&m->materials[index], frame < 0 ? NULL : &m->mesh->frame[frame], x,
-                                 y);
+    const material_frame *f = frame < 0 ? NULL : &m->mesh->frame[frame];
+    return mat6_symmetric(material_stiffness_in(&m->materials[index], f, x, y));
 }
 
 static status add_law(matter *m, int material, int frame, int next)

@@ -95,18 +95,17 @@ done:
 
 // Entry (r, a) of the block of local nodes i and j, of which only i >= j is kept: else that of its
 // transpose.
-static double entry(double (*block)[9], int n, int i, int j, int r, int a)
+static double entry(const double (*block)[9], int n, int i, int j, int r, int a)
 {
     return i >= j ? block[i * n + j][3 * r + a] : block[j * n + i][3 * a + r];
 }
 
 static void add_wave(const element_blocks *blocks, int n, int i, int j, int r, int a, double *to)
 {
-    double(*real)[9] = (double(*)[9])blocks->wave[0],
-    (*imaginary)[9] = (double(*)[9])blocks->wave[1];
-    double(*E)[9] = (double(*)[9])blocks->E;
-    to[0] += entry(E, n, i, j, r, a) + entry(real, n, i, j, r, a);
-    to[1] += (i >= j ? 1 : -1) * entry(imaginary, n, i, j, r, a);
+    to[0] += entry(blocks->E, n, i, j, r, a) + entry(blocks->wave[0], n, i, j, r, a);
+    if (i != j || r != a) { // a Hermitian diagonal is real, not real to rounding
+        to[1] += (i >= j ? 1 : -1) * entry(blocks->wave[1], n, i, j, r, a);
+    }
 }
 
 // the column of local node j
@@ -114,7 +113,6 @@ static void add_column(stiffness *s, const stiffness_part *part, const plane_ele
                        const element_blocks *blocks, int j)
 {
     const int n = e->nnode, width = part->width, first = part->first;
-    double(*E)[9] = (double(*)[9])blocks->E;
     for (int a = 0; a < width; a++) {
         const int start = column_start(&s->graph, width, e->node[j], a);
         for (int i = 0; i < n; i++) {
@@ -123,7 +121,7 @@ static void add_column(stiffness *s, const stiffness_part *part, const plane_ele
             }
             for (int r = i == j ? a : 0; r < width; r++) {
                 const int at = start + width * s->where[e->node[i]] + r - a;
-                part->E.value[at] += entry(E, n, i, j, first + r, first + a);
+                part->E.value[at] += entry(blocks->E, n, i, j, first + r, first + a);
                 if (part->P.value) {
                     add_wave(blocks, n, i, j, r, a, part->P.value + 2 * (size_t)at);
                 }
