@@ -1,7 +1,7 @@
 // Images of every layout, refused ones, stacks; tests/verify holds the sections they make.
 #include "meshes/drawing.h"
 #include "meshes/png_door.h"
-#include "tests/png_files.h"
+#include "tests/fuzz/png_mutants.h"
 #include "tests/test.h"
 
 #include <sys/stat.h>
@@ -322,6 +322,14 @@ static void names_of_stacks_hold_one_number_and_nothing_else(void)
     CHECK(rmdir(f.name) == 0);
 }
 
+static void spoiled_images_are_meshed_or_refused_with_one_line(void)
+{
+    png_mutants m = {0};
+    mutant_plan plan = png_mutant_plan(&m);
+    CHECK(mutants_run(&plan, 300, 0) == 0);
+    png_mutants_free(&m);
+}
+
 int main(void)
 {
     every_layout_becomes_eight_bit_colours();
@@ -330,5 +338,6 @@ int main(void)
     parts_are_checked();
     equal_slices_of_a_stack_are_named_by_the_first();
     names_of_stacks_hold_one_number_and_nothing_else();
+    spoiled_images_are_meshed_or_refused_with_one_line();
     return test_failures != 0;
 }
