@@ -23,14 +23,30 @@ static inline int bench_target(const char *what, double value, double most, cons
     return fails;
 }
 
-// One point of the picture "CPU time against error" of this benchmark, also of a value that others
-// report. bench.sh names the file; without it nothing is written.
-static inline void bench_point(const char *series, double cpu_ms, double error)
+static inline FILE *bench_points_file(void)
 {
     const char *path = getenv("STIFFAXIS_BENCH_POINTS");
-    FILE *file = path ? fopen(path, "a") : NULL;
+    return path ? fopen(path, "a") : NULL;
+}
+
+// What the axes of this benchmark's picture are, where they are not CPU time [ms] and relative
+// error; before its first point.
+static inline void bench_axes(const char *x, const char *y)
+{
+    FILE *file = bench_points_file();
     if (file) {
-        (void)fprintf(file, "%s,%.6g,%.6g\n", series, cpu_ms, error);
+        (void)fprintf(file, "#%s#%s\n", x, y);
+        (void)fclose(file);
+    }
+}
+
+// One point of the picture, also of a value that others report. bench.sh names the file; without it
+// nothing is written.
+static inline void bench_point(const char *series, double x, double y)
+{
+    FILE *file = bench_points_file();
+    if (file) {
+        (void)fprintf(file, "%s,%.6g,%.6g\n", series, x, y);
         (void)fclose(file);
     }
 }

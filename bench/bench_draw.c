@@ -1,6 +1,6 @@
 // bench/bench_draw.c
 // CPU time against error, both axes logarithmic: bench_draw NAME POINTS.csv DIR writes DIR/NAME.svg
-// and .png. A line of the file is "series,cpu_ms,error".
+// and .png. A line of the file is "series,cpu_ms,error"; a line "#x#y" names other axes.
 #include "base/memory.h"
 #include "reports/figure_kit.h"
 
@@ -13,13 +13,14 @@ enum { MOST_POINTS = 1000, MOST_SERIES = 16, NAME_SIZE = 48 };
 
 typedef struct point {
     int series;
-    double time, error; // decades of ms and of the error
+    double x, y; // decades
 } point;
 
 typedef struct chart {
     int npoint, nseries;
     point *point;
     char series[MOST_SERIES][NAME_SIZE];
+    char axis[2][NAME_SIZE];
 } chart;
 
 static int series_index(chart *c, const char *name)
@@ -49,7 +50,7 @@ static bool read_point(chart *c, char *line)
         if (end == comma + 1 || !(value > 0) || !isfinite(value)) {
             return false;
         }
-        *(i ? &c->point[c->npoint].time : &c->point[c->npoint].error) = log10(value);
+        *(i ? &c->point[c->npoint].x : &c->point[c->npoint].y) = log10(value);
     }
     c->point[c->npoint++].series = series_index(c, line);
     return true;
@@ -58,8 +59,7 @@ static bool read_point(chart *c, char *line)
 static int by_time(const void *a, const void *b)
 {
     const point *p = a, *q = b;
-    return p->series != q->series ? p->series - q->series
-                                  : (p->time > q->time) - (p->time < q->time);
+    return p->series != q->series ? p->series - q->series : (p->x > q->x) - (p->x < q->x);
 }
 
 static status read_points(const char *path, chart *c)
@@ -71,9 +71,11 @@ static status read_points(const char *path, chart *c)
         return status_fail(ERR_FILE, "%s: cannot be read", path);
     }
     TRY(TAKE(c->point, MOST_POINTS));
-    // errors of exactly 0 have no place on a logarithmic axis
     while (c->npoint < MOST_POINTS && fgets(line, sizeof line, file)) {
-        (void)read_point(c, line);
+        if (sscanf(line, "#%47[^#]#%47[^\n]", c->axis[0], c->axis[1]) != 2) {
+            // errors of exactly 0 have no place on a logarithmic axis
+            (void)read_point(c, line);
+        }
     }
     if (c->npoint == 0) {
         TRY(status_fail(ERR_FILE, "%s: holds no points", path));
@@ -94,7 +96,7 @@ static const char *power_of_ten(int n, char *text, size_t size)
     return text;
 }
 
-static void frame(canvas *c, const plot *p)
+static void frame(canvas *c, const plot *p, const char axis[2][NAME_SIZE])
 {
     char text[32];
     text_look upright = look_aligned(look_inked(LOOK_SMALL, INK), TEXT_CENTRE);
@@ -112,9 +114,9 @@ static void frame(canvas *c, const plot *p)
     }
     canvas_rectangle(c, p->at.x, p->at.y, p->at.w, p->at.h);
     canvas_stroke(c, INK_FAINT, 0.9);
-    say(c, p->at.x + p->at.w / 2, p->at.y + p->at.h + 31, upright, "CPU time, ms");
+    say(c, p->at.x + p->at.w / 2, p->at.y + p->at.h + 31, upright, "%s", axis[0]);
     upright.turn = -0.5 * acos(-1.0);
-    say(c, p->at.x - 42, p->at.y + p->at.h / 2, upright, "relative error");
+    say(c, p->at.x - 42, p->at.y + p->at.h / 2, upright, "%s", axis[1]);
 }
 
 // the inks come round: then hollow
@@ -136,14 +138,14 @@ static void curve(canvas *c, const plot *p, const chart *data, int series)
     for (int i = 0; i < data->npoint; i++) {
         const point *q = &data->point[i];
         if (q->series == series) {
-            (n++ ? canvas_line : canvas_move)(c, plot_x(p, q->time), plot_y(p, q->error));
+            (n++ ? canvas_line : canvas_move)(c, plot_x(p, q->x), plot_y(p, q->y));
         }
     }
     canvas_stroke(c, ink, 1.6);
     for (int i = 0; i < data->npoint; i++) {
         const point *q = &data->point[i];
         if (q->series == series) {
-            mark_at(c, plot_x(p, q->time), plot_y(p, q->error), series);
+            mark_at(c, plot_x(p, q->x), plot_y(p, q->y), series);
         }
     }
 }
@@ -154,10 +156,10 @@ static void decades(const chart *data, plot *p)
     *p = (plot){.at = p->at, INFINITY, -INFINITY, INFINITY, -INFINITY};
     for (int i = 0; i < data->npoint; i++) {
         const point *q = &data->point[i];
-        p->x0 = fmin(p->x0, floor(q->time));
-        p->x1 = fmax(p->x1, floor(q->time) + 1);
-        p->y0 = fmin(p->y0, floor(q->error));
-        p->y1 = fmax(p->y1, floor(q->error) + 1);
+        p->x0 = fmin(p->x0, floor(q->x));
+        p->x1 = fmax(p->x1, floor(q->x) + 1);
+        p->y0 = fmin(p->y0, floor(q->y));
+        p->y1 = fmax(p->y1, floor(q->y) + 1);
     }
 }
 
@@ -166,7 +168,7 @@ static status draw(canvas *c, const void *data)
     const chart *all = data;
     plot p = {.at = {60, 16, 420, 360}};
     decades(all, &p);
-    frame(c, &p);
+    frame(c, &p, all->axis);
     for (int i = 0; i < all->nseries; i++) {
         const double y = p.at.y + 12 + 18 * i, x = p.at.x + p.at.w + 16;
         curve(c, &p, all, i);
@@ -179,7 +181,7 @@ static status draw(canvas *c, const void *data)
 int main(int argc, char **argv)
 {
     status st = OK;
-    chart data = {0};
+    chart data = {.axis = {"CPU time, ms", "relative error"}};
     if (argc != 4) {
         fprintf(stderr, "usage: bench_draw NAME POINTS.csv DIR\n");
         return 2;
