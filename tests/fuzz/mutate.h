@@ -109,7 +109,7 @@ static inline void mutant_move_piece(mutant_plan *p, mutant *m)
 static inline void mutant_change(mutant_plan *p, mutant *m)
 {
     static const char *const words[] = {
-        "$",    "\n",       "\n\n", " ",     "\"",      "SystemCall(\"id\");",
+        "$",    "\n",       "\n\n", " ",     "\"",      "SystemCall \"id\";",
         "%s%n", "\xff\xfe", "$End", "EOF\n", "../../x", "-"};
     const char *word = words[mutant_below(p, sizeof words / sizeof *words)];
     switch (mutant_below(p, 7)) {
