@@ -142,10 +142,21 @@ static const char *body_name(const cad_body *b, char text[CAD_NAME])
     return b->name[0] ? b->name : text;
 }
 
+// by its colour too, for who wants to name it so
+static status body_unknown(const cad_source *s, const cad_body *b, const char *name,
+                           const part_table *parts)
+{
+    char what[48];
+    part_table t = *parts;
+    (void)snprintf(what, sizeof what, "body of colour #%02x%02x%02x,", b->rgb[0], b->rgb[1],
+                   b->rgb[2]);
+    t.what = b->coloured ? what : parts->what;
+    return part_unknown(&t, &s->file, 0, name);
+}
+
 static status find_materials(cad_source *s, const cad_pieces *p, part_table *parts)
 {
     status st = OK;
-    char text[CAD_NAME];
     const char **names = NULL;
     char(*numbers)[CAD_NAME] = NULL;
     TRY(TAKE(s->material, (size_t)p->nbody));
@@ -160,12 +171,7 @@ static status find_materials(cad_source *s, const cad_pieces *p, part_table *par
             s->material[i] = part_by_colour(parts, b->rgb);
         }
         if (s->material[i] == PART_UNKNOWN) {
-            (void)snprintf(text, sizeof text, "%.100s", names[i]);
-            if (b->coloured) {
-                (void)snprintf(text, sizeof text, "%.60s, of colour #%02x%02x%02x", names[i],
-                               b->rgb[0], b->rgb[1], b->rgb[2]);
-            }
-            TRY(part_unknown(parts, &s->file, 0, text));
+            TRY(body_unknown(s, b, names[i], parts));
         }
     }
     TRY(parts_all_used(parts, p->nbody, names));

@@ -105,6 +105,72 @@ static void planes_that_do_not_cut_are_told(void)
     expect(&s, ERR_FILE, "no STEP file");
     s.file.text = "absent.step";
     expect(&s, ERR_FILE, "absent.step");
+    s.file.text = "overlap.step"; // two cylinders, 'left' and 'right', along z
+    s.origin[0] = s.origin[1] = s.origin[2] = s.normal[0] = 0;
+    s.normal[2] = 1;
+    expect(&s, ERR_FILE, "the bodies 'left' and 'right' overlap");
+}
+
+static char *file_text(const char *name)
+{
+    char folder[512], path[640], *text = calloc(1, 1 << 16);
+    (void)snprintf(path, sizeof path, "%s/%s", files_folder(folder), name);
+    FILE *f = fopen(path, "r");
+    CHECK(f && text && fread(text, 1, (1 << 16) - 1, f) > 0);
+    if (f) {
+        (void)fclose(f);
+    }
+    return text;
+}
+
+// the same bar with some words replaced, everywhere
+static status open_changed(const char *from, const char *to, step_spec spec, mesh *out)
+{
+    char folder[] = "/tmp/stiffaxis-step-XXXXXX", path[64], *text = file_text("bar.step");
+    const mesh_options options = {.order = 4};
+    CHECK(mkdtemp(folder) != NULL);
+    (void)snprintf(path, sizeof path, "%s/bar.step", folder);
+    FILE *f = fopen(path, "w");
+    for (const char *at = text; f && text; at++) {
+        const char *found = strstr(at, from);
+        (void)fprintf(f, "%.*s", (int)(found ? found - at : (long)strlen(at)), at);
+        if (!found) {
+            break;
+        }
+        (void)fputs(to, f);
+        at = found + strlen(from) - 1;
+    }
+    if (f) {
+        (void)fclose(f);
+    }
+    free(text);
+    const status st = open_step(folder, &spec, &options, out);
+    (void)remove(path);
+    CHECK(rmdir(folder) == 0); // and nothing else was there
+    return st;
+}
+
+static void the_files_unit_counts(void)
+{
+    mesh m = {0};
+    step_spec spec = bar();
+    for (int i = 0; i < 3; i++) {
+        spec.origin[i] *= 1e3;
+    }
+    CHECK_OK(open_changed("SI_UNIT(.MILLI.,.METRE.)", "SI_UNIT($,.METRE.)", spec, &m));
+    CHECK_NEAR(mesh_moments(&m, 1).a[0], 4 * PI, 1e-6);
+    mesh_free(&m);
+}
+
+static void a_damaged_file_is_refused(void)
+{
+    mesh m = {0};
+    CHECK(open_changed("END-ISO-10303-21;", "", bar(), &m) == ERR_FILE);
+    CHECK(strstr(status_message(), "not complete") != NULL);
+    CHECK(open_changed("MANIFOLD_SOLID_BREP", "NO_SUCH_THING", bar(), &m) == ERR_FILE);
+    CHECK(strstr(status_message(), "bar.step: ") != NULL);
+    CHECK(open_changed("'core'", "'kore'", bar(), &m) == ERR_FILE);
+    CHECK(strstr(status_message(), "did you mean 'core'?") != NULL);
 }
 
 int main(void)
@@ -112,5 +178,7 @@ int main(void)
     a_bar_is_cut_in_its_own_axes();
     bodies_go_by_colour_and_by_none();
     planes_that_do_not_cut_are_told();
+    the_files_unit_counts();
+    a_damaged_file_is_refused();
     return test_failures != 0;
 }
