@@ -94,7 +94,7 @@ done:
     return st;
 }
 
-status cholesky_make(const sparse_lower *matrix, const int *permutation, cholesky **out)
+status cholesky_make(const sparse_lower *matrix, cholesky **out)
 {
     status st = OK;
     cholesky *c = NULL;
@@ -104,11 +104,12 @@ status cholesky_make(const sparse_lower *matrix, const int *permutation, cholesk
     quiet_start(&c->common);
     c->common.final_ll = 1; // small ones too: L D L^T would pass over negative pivots
     c->common.nmethods = 1;
-    c->common.method[0].ordering = CHOLMOD_GIVEN;
+    c->common.method[0].ordering = CHOLMOD_NATURAL;
+    c->common.postorder = false; // cholesky_order has seen to it
 
-    c->factor = cholmod_analyze_p(&a, (int *)permutation, NULL, 0, &c->common);
+    c->factor = cholmod_analyze(&a, &c->common);
     if (!c->factor) {
-        TRY(cholmod_fail(&c->common, "cholmod_analyze_p"));
+        TRY(cholmod_fail(&c->common, "cholmod_analyze"));
     }
     if (!cholmod_factorize(&a, c->factor, &c->common) || c->common.status != CHOLMOD_OK) {
         TRY(cholmod_fail(&c->common, "cholmod_factorize"));

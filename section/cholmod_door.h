@@ -23,9 +23,9 @@ typedef struct cholesky cholesky;
 // A fill-reducing order of the pattern: permutation[new] = old, [n].
 status cholesky_order(const sparse_lower *pattern, int *permutation);
 
-// Factors once, in the order given. ERR_NUMERIC where the matrix is not positive definite to
-// rounding.
-status cholesky_make(const sparse_lower *a, const int *permutation, cholesky **out);
+// Factors once, in the matrix's own order: number the unknowns so beforehand. ERR_NUMERIC where the
+// matrix is not positive definite to rounding.
+status cholesky_make(const sparse_lower *a, cholesky **out);
 void cholesky_free(cholesky *c);
 
 // x = a^-1 b for nrhs columns of n values, pairs where a is complex, each `stride` values after the

@@ -115,15 +115,12 @@ status full_solve_prismatic(warping_problem *p, full_solution *s)
 {
     status st = OK;
     stiffness_factor f = {0};
-    int *order = NULL;
     double *X = NULL;
     mat6 S;
     s->nnode = p->E.nnode;
-    TRY(TAKE(order, (size_t)s->nnode));
     TRY(TAKE(X, 3 * KEPT * (size_t)s->nnode));
     TRY(TAKE(s->w, 18 * (size_t)s->nnode));
-    TRY(cholesky_order(&p->E.graph, order));
-    TRY(stiffness_factor_make(&p->E, false, order, &f));
+    TRY(stiffness_factor_make(&p->E, false, &f));
     TRY(full_condense(p, &f, X, &S));
     s->psi = S;
     for (int j = FIRST_KEPT; j < 6; j++) {
@@ -133,7 +130,6 @@ status full_solve_prismatic(warping_problem *p, full_solution *s)
 
 done:
     stiffness_factor_free(&f);
-    free(order);
     free(X);
     return st;
 }

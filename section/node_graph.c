@@ -10,9 +10,15 @@ typedef struct element_nodes {
 } element_nodes;
 
 typedef struct neighbours {
+    const int *rank;
     int *start;
     element_nodes *around;
 } neighbours;
+
+static int number(const neighbours *n, int node)
+{
+    return n->rank ? n->rank[node] : node;
+}
 
 static status neighbours_make(const mesh *m, neighbours *out)
 {
@@ -22,7 +28,7 @@ static status neighbours_make(const mesh *m, neighbours *out)
     for (int b = 0; b < m->nblock; b++) {
         const int count = m->block[b].nelem * m->block[b].per_elem;
         for (int i = 0; i < count; i++) {
-            out->start[m->block[b].conn[i] + 2]++;
+            out->start[number(out, m->block[b].conn[i]) + 2]++;
         }
         total += count;
     }
@@ -33,7 +39,7 @@ static status neighbours_make(const mesh *m, neighbours *out)
     for (int b = 0; b < m->nblock; b++) {
         const int n = m->block[b].per_elem;
         for (int i = 0; i < n * m->block[b].nelem; i++) {
-            const int at = out->start[m->block[b].conn[i] + 1]++;
+            const int at = out->start[number(out, m->block[b].conn[i]) + 1]++;
             out->around[at] = (element_nodes){m->block[b].conn + i / n * n, n};
         }
     }
@@ -55,7 +61,7 @@ static void visit_lower(const neighbours *n, int nnode, int *mark, int *next, in
     for (int i = 0; i < nnode; i++) {
         for (int k = n->start[i]; k < n->start[i + 1]; k++) {
             for (int a = 0; a < n->around[k].count; a++) {
-                const int j = n->around[k].node[a];
+                const int j = number(n, n->around[k].node[a]);
                 if (j > i || mark[j] == i + 1) {
                     continue;
                 }
@@ -69,10 +75,10 @@ static void visit_lower(const neighbours *n, int nnode, int *mark, int *next, in
     }
 }
 
-status node_graph_make(const mesh *m, sparse_lower *graph)
+status node_graph_make(const mesh *m, const int *rank, sparse_lower *graph)
 {
     status st = OK;
-    neighbours near = {0};
+    neighbours near = {.rank = rank};
     int *mark = NULL, *next = NULL;
     const int n = m->nnode;
     const size_t room = (size_t)n + 1;

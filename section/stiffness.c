@@ -14,6 +14,7 @@ void stiffness_free(stiffness *s)
     }
     sparse_lower_free(&s->graph);
     free(s->where);
+    free(s->rank);
     *s = (stiffness){0};
 }
 
@@ -71,6 +72,25 @@ done:
     return st;
 }
 
+static status rank_nodes(const mesh *m, int **rank)
+{
+    status st = OK;
+    sparse_lower graph = {0};
+    int *order = NULL;
+    TRY(TAKE(order, (size_t)m->nnode));
+    TRY(TAKE(*rank, (size_t)m->nnode));
+    TRY(node_graph_make(m, NULL, &graph));
+    TRY(cholesky_order(&graph, order));
+    for (int i = 0; i < m->nnode; i++) {
+        (*rank)[order[i]] = i;
+    }
+
+done:
+    sparse_lower_free(&graph);
+    free(order);
+    return st;
+}
+
 status stiffness_make(const mesh *m, bool split, bool turning, stiffness *out)
 {
     status st = OK;
@@ -78,7 +98,8 @@ status stiffness_make(const mesh *m, bool split, bool turning, stiffness *out)
     stiffness s = {.nnode = n, .npart = split ? 2 : 1};
     s.part[0] = (stiffness_part){.first = 0, .width = split ? 2 : 3};
     s.part[1] = (stiffness_part){.first = 2, .width = 1, .begin = 2 * n};
-    TRY(node_graph_make(m, &s.graph));
+    TRY(rank_nodes(m, &s.rank));
+    TRY(node_graph_make(m, s.rank, &s.graph));
     for (int k = 0; k < s.npart; k++) {
         TRY(make_part(&s.graph, turning, &s.part[k]));
     }
@@ -108,19 +129,19 @@ static void add_wave(const element_blocks *blocks, int n, int i, int j, int r, i
     }
 }
 
-// the column of local node j
-static void add_column(stiffness *s, const stiffness_part *part, const plane_element *e,
+// the column of local node j; number: [nnode] of the element's nodes
+static void add_column(stiffness *s, const stiffness_part *part, const int *number, int n,
                        const element_blocks *blocks, int j)
 {
-    const int n = e->nnode, width = part->width, first = part->first;
+    const int width = part->width, first = part->first;
     for (int a = 0; a < width; a++) {
-        const int start = column_start(&s->graph, width, e->node[j], a);
+        const int start = column_start(&s->graph, width, number[j], a);
         for (int i = 0; i < n; i++) {
-            if (e->node[i] < e->node[j]) {
+            if (number[i] < number[j]) {
                 continue;
             }
             for (int r = i == j ? a : 0; r < width; r++) {
-                const int at = start + width * s->where[e->node[i]] + r - a;
+                const int at = start + width * s->where[number[i]] + r - a;
                 part->E.value[at] += entry(blocks->E, n, i, j, first + r, first + a);
                 if (part->P.value) {
                     add_wave(blocks, n, i, j, r, a, part->P.value + 2 * (size_t)at);
@@ -132,13 +153,18 @@ static void add_column(stiffness *s, const stiffness_part *part, const plane_ele
 
 void stiffness_add(stiffness *s, const plane_element *e, const element_blocks *blocks)
 {
-    for (int j = 0; j < e->nnode; j++) {
-        const int begin = s->graph.start[e->node[j]], end = s->graph.start[e->node[j] + 1];
+    const int n = e->nnode;
+    int number[ELEMENT_MAX_PLANE_NODES];
+    for (int i = 0; i < n; i++) {
+        number[i] = s->rank[e->node[i]];
+    }
+    for (int j = 0; j < n; j++) {
+        const int begin = s->graph.start[number[j]], end = s->graph.start[number[j] + 1];
         for (int k = begin; k < end; k++) {
             s->where[s->graph.row[k]] = k - begin;
         }
         for (int k = 0; k < s->npart; k++) {
-            add_column(s, &s->part[k], e, blocks, j);
+            add_column(s, &s->part[k], number, n, blocks, j);
         }
     }
 }
@@ -213,25 +239,19 @@ void stiffness_factor_free(stiffness_factor *f)
     *f = (stiffness_factor){0};
 }
 
-status stiffness_factor_make(const stiffness *s, bool wave, const int *order, stiffness_factor *out)
+status stiffness_factor_make(const stiffness *s, bool wave, stiffness_factor *out)
 {
     status st = OK;
-    int *spread = NULL;
     stiffness_factor f = {.npart = s->npart, .nunknown = 3 * s->nnode, .wave = wave};
-    TRY(TAKE(spread, 3 * (size_t)s->nnode));
     for (int k = 0; k < s->npart; k++) {
         const stiffness_part *part = &s->part[k];
-        for (int u = 0; u < part->width * s->nnode; u++) {
-            spread[u] = part->width * order[u / part->width] + u % part->width;
-        }
         f.begin[k] = part->begin;
-        TRY(cholesky_make(wave ? &part->P : &part->E, spread, &f.part[k]));
+        TRY(cholesky_make(wave ? &part->P : &part->E, &f.part[k]));
     }
     *out = f;
     f = (stiffness_factor){0};
 
 done:
-    free(spread);
     stiffness_factor_free(&f);
     return st;
 }

@@ -3,8 +3,8 @@
 //
 // Where no material couples the in-plane displacement with the one along z and nothing turns, these
 // are two problems: the matrix has two parts, with unknowns (x, y of node 0, x, y of node 1, ...)
-// and (z of node 0, ...). Else one part: (x, y, z of node 0, ...). The vectors of all parts follow
-// one another.
+// and (z of node 0, ...), the nodes by rank. Else one part: (x, y, z of node 0, ...). The vectors
+// of all parts follow one another.
 #pragma once
 
 #include "section/cholmod_door.h"
@@ -22,6 +22,7 @@ typedef struct stiffness_part {
 
 typedef struct stiffness {
     int nnode, npart;
+    int *rank; // [nnode] number of a node in the order that fills the factors least
     stiffness_part part[2];
     sparse_lower graph; // of the nodes, no values
     int *where;         // [nnode] work: place of a row in the graph's column at hand
@@ -30,7 +31,7 @@ typedef struct stiffness {
 static inline int stiffness_unknown(const stiffness *s, int node, int component)
 {
     const stiffness_part *p = &s->part[s->npart == 2 && component == 2];
-    return p->begin + p->width * node + component - p->first;
+    return p->begin + p->width * s->rank[node] + component - p->first;
 }
 
 // values zero; split: two parts; turning: with P
@@ -49,7 +50,7 @@ typedef struct stiffness_pins {
 stiffness_pins stiffness_choose_pins(const stiffness *s, const plane *p);
 void stiffness_pin(stiffness *s, const stiffness_pins *pins);
 
-// Factors of E, or of P, in a fill-reducing order of the nodes.
+// Factors of E, or of P.
 typedef struct stiffness_factor {
     int npart, nunknown;
     bool wave;
@@ -57,9 +58,7 @@ typedef struct stiffness_factor {
     int begin[2];
 } stiffness_factor;
 
-// order: of the nodes, by cholesky_order of the graph
-status stiffness_factor_make(const stiffness *s, bool wave, const int *order,
-                             stiffness_factor *out);
+status stiffness_factor_make(const stiffness *s, bool wave, stiffness_factor *out);
 void stiffness_factor_free(stiffness_factor *f);
 
 // x = E^-1 b for nrhs columns, both [nrhs][3 nnode], of pairs for P; they may be the same.

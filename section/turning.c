@@ -73,14 +73,14 @@ static void solve_small(number L[KEPT][KEPT], number *x)
     }
 }
 
-static status condense_wave(const warping_problem *p, const int *order, wave_work *f)
+static status condense_wave(const warping_problem *p, wave_work *f)
 {
     status st = OK;
     const size_t n = 3 * (size_t)p->E.nnode;
     TRY(TAKE(f->X, KEPT * n));
     TRY(TAKE(f->Y, n));
     TRY(TAKE(f->first, 2 * n));
-    TRY(stiffness_factor_make(&p->E, true, order, &f->factor));
+    TRY(stiffness_factor_make(&p->E, true, &f->factor));
     TRY(stiffness_solve(&f->factor, KEPT, p->wave, (double *)f->X));
     for (size_t i = 0; i < KEPT; i++) {
         for (size_t j = 0; j < KEPT; j++) {
@@ -163,7 +163,7 @@ done:
 }
 
 // (3.11), l = 0: n_z and m_z
-static status solve_still(const warping_problem *p, const int *order, full_solution *s)
+static status solve_still(const warping_problem *p, full_solution *s)
 {
     status st = OK;
     stiffness_factor f = {0};
@@ -171,7 +171,7 @@ static status solve_still(const warping_problem *p, const int *order, full_solut
     mat6 S;
     static const int column[2] = {NZ, MZ};
     TRY(TAKE(X, 3 * KEPT * (size_t)s->nnode));
-    TRY(stiffness_factor_make(&p->E, false, order, &f));
+    TRY(stiffness_factor_make(&p->E, false, &f));
     TRY(full_condense(p, &f, X, &S));
     for (int k = 0; k < 2; k++) {
         for (int i = 0; i < 6; i++) {
@@ -190,18 +190,14 @@ status full_solve_turning(warping_problem *p, full_solution *s)
 {
     status st = OK;
     wave_work f = {0};
-    int *order = NULL;
     s->nnode = p->E.nnode;
     TRY(TAKE(s->w, 18 * (size_t)s->nnode));
-    TRY(TAKE(order, (size_t)s->nnode));
-    TRY(cholesky_order(&p->E.graph, order));
-    TRY(solve_still(p, order, s));
-    TRY(condense_wave(p, order, &f));
+    TRY(solve_still(p, s));
+    TRY(condense_wave(p, &f));
     solve_first(p, &f, s);
     TRY(solve_second(p, &f, s));
 
 done:
     wave_work_free(&f);
-    free(order);
     return st;
 }

@@ -24,12 +24,11 @@ static sparse_lower chain(double first, int *start, int *row, double *value)
 // -u'' = 1 with u = 0 beyond both ends: u_i = (i + 1) (N - i) / 2, exact on the grid
 static void solves_several_columns(void)
 {
-    int start[N + 1], row[2 * N], order[N];
+    int start[N + 1], row[2 * N];
     double value[2 * N], b[2 * N], x[2 * N];
     const sparse_lower a = chain(2, start, row, value);
     cholesky *c = NULL;
-    CHECK_OK(cholesky_order(&(sparse_lower){.n = N, .start = start, .row = row}, order));
-    CHECK_OK(cholesky_make(&a, order, &c));
+    CHECK_OK(cholesky_make(&a, &c));
     for (int i = 0; i < N; i++) {
         b[i] = 1;
         b[N + i] = 2;
@@ -58,17 +57,19 @@ static void orders_are_permutations(void)
     }
 }
 
-// first = 1 - 1/N makes it singular: the constant slope to zero is in the null space
+// A chain that is free at both ends can move as a whole; in tenths its last pivot is rounding.
 static void refuses_singular_and_indefinite(void)
 {
-    int start[N + 1], row[2 * N], order[N];
+    int start[N + 1], row[2 * N];
     double value[2 * N];
-    const double first[2] = {1 - 1.0 / N, -1};
     for (int k = 0; k < 2; k++) {
-        const sparse_lower a = chain(first[k], start, row, value);
+        const sparse_lower a = chain(k == 0 ? 1 : -1, start, row, value);
         cholesky *c = NULL;
-        CHECK_OK(cholesky_order(&a, order));
-        CHECK(cholesky_make(&a, order, &c) == ERR_NUMERIC);
+        value[start[N - 1]] = 1;
+        for (int i = 0; i < start[N]; i++) {
+            value[i] *= 0.1;
+        }
+        CHECK(cholesky_make(&a, &c) == ERR_NUMERIC);
         CHECK(c == NULL);
         status_clear();
     }
@@ -77,11 +78,10 @@ static void refuses_singular_and_indefinite(void)
 // A Hermitian chain with phases: D^H A D with D = diag(i^j) has the solutions D^H x.
 static void solves_hermitian_systems(void)
 {
-    int start[N + 1], row[2 * N], order[N];
+    int start[N + 1], row[2 * N];
     double value[2 * N], pair[4 * N], b[4 * N], x[4 * N];
     const double phase[4][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
     sparse_lower a = chain(2, start, row, value);
-    CHECK_OK(cholesky_order(&(sparse_lower){.n = N, .start = start, .row = row}, order));
     for (int k = 0; k < start[N]; k++) {
         // below the diagonal conj(i^(j + 1)) i^j = -i
         const int diagonal = value[k] > 0;
@@ -95,7 +95,7 @@ static void solves_hermitian_systems(void)
         b[2 * N + i] = 2 * b[i];
     }
     cholesky *c = NULL;
-    CHECK_OK(cholesky_make(&a, order, &c));
+    CHECK_OK(cholesky_make(&a, &c));
     CHECK_OK(cholesky_solve(c, 2, N, b, x));
     for (int i = 0; i < 4 * N; i++) {
         const int j = i % (2 * N) / 2;
