@@ -179,13 +179,15 @@ status free_mesh_make(const section_outline *o, const mesh_options *options, mes
 {
     status st = OK;
     attempt a = {.nbad = 1};
-    plane_request request = {.check = plane_check,
-                             .drawn = o,
-                             .parts = plane_parts,
-                             .size_at = plane_size_at,
-                             .length = sizing_length(options, o->size) / o->size,
-                             .angle = sizing_angle(options),
-                             .towards_corners = options->size > 0 ? NULL : o};
+    plane_request request = {
+        .check = plane_check,
+        .drawn = o,
+        .parts = plane_parts,
+        .size_at = plane_size_at,
+        .length = sizing_length(options, o->size) / o->size,
+        .angle = sizing_angle(options),
+        .towards_corners = options->size > 0 ? NULL : o,
+        .shrink = {1, sizing_shrink(options, CORNER_WEAK), sizing_shrink(options, CORNER_STRONG)}};
 
     TRY(section_check_thickness(o));
     TRY(plane_shapes_make(o, &request));

@@ -57,6 +57,7 @@ struct plane_request {
         source; // [nsource][3] x, y and the edge length wanted there; it may grow with the distance
     const section_outline *drawn;           // for messages
     const section_outline *towards_corners; // NULL: edges do not become shorter towards corners
+    double shrink[3];                       // by how much, of the corner's kind (meshes/corner.h)
     const plane_pieces *known;              // faces and curves, for the questions below
     // Asked once before meshing, with faces and curves known; it keeps them in `known`. May refuse.
     status (*check)(plane_request *r, const plane_pieces *p);

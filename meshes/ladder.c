@@ -8,9 +8,6 @@
 #include <stdbool.h>
 #include <stdlib.h>
 
-// elements of order 3 and 4 follow a singular field over such steps as well as over smaller ones
-static const double GROWTH = 5;
-
 // layers from one break: no direction needs more, since growth from the finest length to all of a
 // section takes fewer
 enum { MOST_LAYERS = 24 };
@@ -30,7 +27,7 @@ static int layers(double finest, double target, double room, double *at, double 
     while (step < target && x + step < room && n < MOST_LAYERS) {
         x += step;
         at[n++] = x;
-        step *= GROWTH;
+        step *= SIZING_GROWTH;
     }
     *next = step;
     return n;

@@ -2,16 +2,11 @@
 #include "meshes/mapped.h"
 
 #include "base/memory.h"
-#include "meshes/corner.h"
 #include "meshes/ladder.h"
 #include "meshes/sizing.h"
 
 #include <math.h>
 #include <stdlib.h>
-
-// Elements next to a corner, over the thinnest part of the grid: the field's exponent decides how
-// much smaller pays.
-static const double NEXT_TO_WEAK = 0.25, NEXT_TO_STRONG = 0.25 / 25;
 
 // the thinnest interval of the grid, angles as arcs of the outer radius [m]
 static double thinnest_part(const grid *g)
@@ -28,19 +23,24 @@ static double thinnest_part(const grid *g)
     return thinnest;
 }
 
+// The outermost layer at a corner over the thinnest part of the grid.
+static const double LAST_LAYER = 0.25;
+
 // finest: [n + 1] for either direction, lowered at the breaks that meet in corners [m]
-static void find_corners(const section_outline *o, const grid *g, double *finest[2])
+static void find_corners(const section_outline *o, const grid *g, const mesh_options *options,
+                         double *finest[2])
 {
     const double part = thinnest_part(g), near = part / 100;
-    const double length[] = {0, NEXT_TO_WEAK * part, NEXT_TO_STRONG * part};
     for (int j = 0; j <= g->n[1]; j++) {
         for (int i = 0; i <= g->n[0]; i++) {
             double x[2];
             grid_point(g, g->at[0][i], g->at[1][j], x);
             const corner c = corner_at(o, x[0], x[1], near);
+            const double length =
+                c == CORNER_NONE ? 0 : LAST_LAYER * part * sizing_shrink(options, c);
             double *at[2] = {&finest[0][i], &finest[1][j]};
             for (int d = 0; d < 2 && c != CORNER_NONE; d++) {
-                *at[d] = *at[d] > 0 ? fmin(*at[d], length[c]) : length[c];
+                *at[d] = *at[d] > 0 ? fmin(*at[d], length) : length;
             }
         }
     }
@@ -49,9 +49,9 @@ static void find_corners(const section_outline *o, const grid *g, double *finest
 // Fields change over a wall's thickness; long thin walls get no more elements than this for it.
 static const double MOST_FOR_THICKNESS = 40;
 
-static void limit_by_thickness(const grid *g, double target[2])
+static void limit_by_thickness(const grid *g, const mesh_options *options, double target[2])
 {
-    const double part = thinnest_part(g);
+    const double part = thinnest_part(g) / sizing_finer(options);
     for (int d = 0; d < 2; d++) {
         const double extent = g->at[d][g->n[d]] - g->at[d][0];
         target[d] = fmin(target[d], fmax(part, extent / MOST_FOR_THICKNESS));
@@ -72,8 +72,8 @@ static status make_ladders(const section_outline *o, const grid *g, const mesh_o
         TRY(TAKE(finest[d], (size_t)g->n[d] + 1));
     }
     if (!(options->size > 0)) {
-        find_corners(o, g, finest);
-        limit_by_thickness(g, target);
+        find_corners(o, g, options, finest);
+        limit_by_thickness(g, options, target);
     }
     if (g->polar) {
         // along a ring the field is smooth away from corners: the arc alone decides

@@ -18,6 +18,9 @@ typedef struct mesh_options {
     int kind;    // mesh_kind
     int order;   // 1..4
     double size; // target edge length [m]; 0: chosen from the outlines
+    // beside the keys, where size is 0:
+    int layers;   // of ever smaller elements towards corners; 0: the default
+    double finer; // parts of a chosen edge length; 0 is 1
 } mesh_options;
 
 extern const key_table mesh_keys; // `section.mesh`

@@ -131,8 +131,9 @@ int plane_parts(const plane_request *r, int curve)
     return (int)n;
 }
 
-// Edge length at a corner over that of its surroundings: the nearest other corner, or the target.
-static const double AT_WEAK = 0.25, AT_STRONG = 0.02;
+// Edge length of the outermost layer at a corner over that of its surroundings: the nearest other
+// corner, or the target.
+static const double AT_WEAK = 0.25, AT_STRONG = 0.5;
 
 // a drawing with more ends of curves than this has no room for refinement at each
 enum { MOST_CORNERS = 300 };
@@ -162,7 +163,8 @@ static status add_corners(plane_request *r)
         const double near = fmin(around / 100, OUTLINE_SLIVER * 10) * o->size;
         const corner c = first ? corner_at(o, x[0] * o->size, x[1] * o->size, near) : CORNER_NONE;
         if (c != CORNER_NONE) {
-            TRY(plane_add_source(r, x[0], x[1], around * (c == CORNER_WEAK ? AT_WEAK : AT_STRONG)));
+            const double part = (c == CORNER_WEAK ? AT_WEAK : AT_STRONG) * r->shrink[c];
+            TRY(plane_add_source(r, x[0], x[1], part * around));
         }
     }
 

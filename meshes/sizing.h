@@ -2,15 +2,27 @@
 // How large elements are where the case does not say so, and at most.
 #pragma once
 
+#include "meshes/corner.h"
 #include "meshes/mesher.h"
 
 enum { SECTION_MOST_ELEMENTS = 200000 };
+
+// Elements towards a corner shrink by this factor, layer by layer: those of order 3 and 4 follow a
+// singular field over such steps as well as over smaller ones.
+#define SIZING_GROWTH 5.0
+
+// How many element edges take the place of one of the chosen length.
+double sizing_finer(const mesh_options *options);
 
 // Target edge length [m].
 double sizing_length(const mesh_options *options, double section_size);
 
 // Largest angle of an arc that one element edge follows [rad].
 double sizing_angle(const mesh_options *options);
+
+// Edge length next to a corner over that of the layer beyond which nothing shrinks: each layer
+// takes SIZING_GROWTH.
+double sizing_shrink(const mesh_options *options, corner c);
 
 // How many equal parts of at most `target` make up `length`; at least one. Rounding does not add a
 // part.
