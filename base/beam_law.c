@@ -106,6 +106,42 @@ mat6 beam_law_move(mat6 K, double x, double y, double angle)
     return mat6_symmetric(mat6_congruence(se3_adjoint(T), K));
 }
 
+void beam_law_set_error(beam_law *law, double relative_error)
+{
+    law->relative_error = relative_error;
+    for (int i = 0; i < 36; i++) {
+        law->entry_error.a[i / 6][i % 6] = relative_error;
+    }
+}
+
+beam_law beam_law_turn(beam_law law, double angle)
+{
+    if (angle == 0) {
+        return law;
+    }
+    const mat6 K = beam_law_move(law.K, 0, 0, angle);
+    const double c = fabs(cos(angle)), s = fabs(sin(angle));
+    mat6 R = mat6_identity(), E = law.entry_error;
+    for (int b = 0; b < 6; b += 3) {
+        R.a[b][b] = R.a[b + 1][b + 1] = c;
+        R.a[b][b + 1] = R.a[b + 1][b] = s;
+    }
+    for (int i = 0; i < 36; i++) {
+        E.a[i / 6][i % 6] *= sqrt(law.K.a[i / 6][i / 6] * law.K.a[i % 6][i % 6]);
+    }
+    E = mat6_congruence(R, E);
+    double most = 0;
+    for (int i = 0; i < 36; i++) {
+        double *e = &E.a[i / 6][i % 6];
+        *e /= sqrt(K.a[i / 6][i / 6] * K.a[i % 6][i % 6]);
+        most = *e <= most ? most : *e;
+    }
+    law.K = K;
+    law.entry_error = E;
+    law.relative_error = most;
+    return law;
+}
+
 status beam_law_check(const beam_law *law)
 {
     for (int i = 0; i < 6; i++) {

@@ -17,7 +17,8 @@ enum { NX, NY, NZ, MX, MY, MZ };
 typedef struct beam_law {
     mat6 K;                // symmetric positive definite [N, N m, N m^2]
     double area;           // [m^2]
-    double relative_error; // estimate of max |K - K_exact|_ij / sqrt(K_ii K_jj)
+    double relative_error; // the largest of
+    mat6 entry_error;      // estimates of |K - K_exact|_ij / sqrt(K_ii K_jj)
 } beam_law;
 
 // What follows from K alone, docs/theory.md section 2. Axial and bending constants are those of a
@@ -56,6 +57,13 @@ bool beam_law_axial_bending(const mat6 *F, mat3 *out);
 // The same section seen from a frame at (x, y), turned by angle: K_h = Ad(T)^T K_g Ad(T), T =
 // (R_z(angle), (x, y, 0)).
 mat6 beam_law_move(mat6 K, double x, double y, double angle);
+
+// The same estimate for every entry.
+void beam_law_set_error(beam_law *law, double relative_error);
+
+// The law seen from a frame turned by angle: K as by beam_law_move, and the errors, in SI, as |R| E
+// |R|^T, which no turn of an error that is within E exceeds.
+beam_law beam_law_turn(beam_law law, double angle);
 
 // ERR_NUMERIC where K is not finite, not symmetric to 1e-9 of sqrt(K_ii K_jj), or not positive
 // definite.

@@ -16,11 +16,11 @@ static const key mesh_key_list[] = {
               "curved triangles of any outlines; auto: mapped where the outlines allow it"},
     {.name = "order",
      .kind = KEY_INTEGER,
-     .min = 1,
      .max = ELEMENT_MAX_ORDER,
-     .initial = "4",
+     .initial = "0",
      .offset = offsetof(mesh_options, order),
-     .about = "polynomial order of the elements and of their curved edges"},
+     .about = "polynomial order of the elements and of their curved edges; 0: chosen by "
+              "section.tolerance, 4 without it"},
     {.name = "size",
      .kind = KEY_REAL,
      .dimension = DIM_LENGTH,
@@ -31,7 +31,7 @@ static const key mesh_key_list[] = {
      .about = "target edge length; 0: chosen from the outlines"},
 };
 
-static const mesh_options mesh_initial = {.kind = MESH_AUTO, .order = 4};
+static const mesh_options mesh_initial = {.kind = MESH_AUTO};
 
 const key_table mesh_keys = {.name = "mesh",
                              .size = sizeof(mesh_options),
@@ -42,5 +42,15 @@ const key_table mesh_keys = {.name = "mesh",
 
 mesh_options mesh_options_default(void)
 {
-    return mesh_initial;
+    mesh_options options = mesh_initial;
+    mesh_options_resolve(&options);
+    return options;
+}
+
+void mesh_options_resolve(mesh_options *options)
+{
+    if (options->order == 0) {
+        options->order = ELEMENT_MAX_ORDER;
+        options->order_chosen = true;
+    }
 }

@@ -15,16 +15,19 @@ typedef enum mesh_kind {
 
 typedef struct mesh_options {
     mark at;
-    int kind;    // mesh_kind
-    int order;   // 1..4
-    double size; // target edge length [m]; 0: chosen from the outlines
+    int kind;          // mesh_kind
+    int order;         // 1..4
+    double size;       // target edge length [m]; 0: chosen from the outlines
+    bool order_chosen; // the case leaves the order to us: a tolerance may lower it
     // beside the keys, where size is 0:
-    int layers;   // of ever smaller elements towards corners; 0: the default
+    int layers;   // of ever smaller elements towards corners, more than the default
     double finer; // parts of a chosen edge length; 0 is 1
 } mesh_options;
 
 extern const key_table mesh_keys; // `section.mesh`
 mesh_options mesh_options_default(void);
+// The order that is used where the case leaves it to us.
+void mesh_options_resolve(mesh_options *options);
 
 // ERR_INPUT: nothing left of the section, parts that do not touch, slivers thinner than 1e-5 of the
 // section's size that overlaps leave, a mapped mesh asked for where there is none. The result has

@@ -11,8 +11,8 @@ static const double arc_angle[ELEMENT_MAX_ORDER + 1] = {0, 0.06, 0.15, 0.25, 0.3
 // an element edge turns by no more than this, whatever the size asked for
 static const double LARGEST_ANGLE = 0.7854;
 
-// The field at a weak corner is smoother: a layer there does what three do at a strong one.
-enum { DEFAULT_LAYERS = 3, LAYERS_PER_WEAK = 3 };
+// Layers at corners without the caller's wish. The field at weak corners is smoother.
+enum { STRONG_LAYERS = 3, WEAK_LAYERS = 1 };
 
 // equal edges give counts that are whole numbers but for rounding
 static const double ROUNDING = 1e-6;
@@ -35,9 +35,8 @@ double sizing_angle(const mesh_options *options)
 
 double sizing_shrink(const mesh_options *options, corner c)
 {
-    const int strong = options->layers > 0 ? options->layers : DEFAULT_LAYERS;
-    const int weak = 1 + (strong - DEFAULT_LAYERS) / LAYERS_PER_WEAK;
-    return pow(SIZING_GROWTH, 1 - (c == CORNER_WEAK ? weak : strong));
+    const int layers = (c == CORNER_WEAK ? WEAK_LAYERS : STRONG_LAYERS) + options->layers;
+    return pow(SIZING_GROWTH, 1 - layers);
 }
 
 double sizing_parts(double length, double target)

@@ -38,6 +38,7 @@ static status pass_rows(const passage *p, int n, known_row *rows)
         {"K", COLUMN_REAL, STIFFNESS_UNIT, offsetof(known_row, law.K), 2, {6, 6}, 0},
         {"area_m2", COLUMN_POSITIVE, "m^2", offsetof(known_row, law.area), 0, {0}, 0},
         {"relative_error", COLUMN_ANY, "-", offsetof(known_row, law.relative_error), 0, {0}, 0},
+        {"K_relative_error", COLUMN_ANY, "-", offsetof(known_row, law.entry_error), 2, {6, 6}, 0},
     };
     return n == 0 ? OK
                   : passage_columns(p, "section/known", COUNT_OF(columns), columns,

@@ -18,6 +18,9 @@ static const layout layouts[] = {
 };
 enum { NLAYOUT = sizeof layouts / sizeof *layouts, MOST_STATIONS = 1000 };
 
+// Along the rod, where the case gives none: rods then are good to 1e-11 m.
+static const double default_tolerance = 1e-10;
+
 // The probe's place in a panel: irrational, far from any node of small layouts.
 static const double probe_place = 0.38196601125010515;
 // The probe may miss by this many times the tolerance: the coefficients tell the error's size, the
@@ -227,7 +230,7 @@ static status add_station(section_store *store, double s, axis_memory *axis, sec
     new->s = s;
     TRY(section_store_law(store, s, &new->law, &p));
     new->turn_rate = p.turn_rate;
-    new->law.K = beam_law_move(new->law.K, 0, 0, -p.turn);
+    new->law = beam_law_turn(new->law, -p.turn);
     if (p.has_symmetry) {
         TRY(beam_law_centres_near(&new->law, p.turn, &new->centres));
     } else if (axis->begun) {
@@ -300,7 +303,8 @@ status section_along(const section_case *c, const material *materials, double le
         TRY(stack_laws(&store, length, &r.along));
     } else {
         TRY(section_varies(c) || store.traits.along
-                ? interpolate(&store, length, c->tolerance, &r.along)
+                ? interpolate(&store, length, c->tolerance > 0 ? c->tolerance : default_tolerance,
+                              &r.along)
                 : one_station(&store, length, &r.along));
     }
     TRY(c->stations.nrow > 0 ? asked_stations(&store, &c->stations, length, &r)

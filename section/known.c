@@ -89,6 +89,7 @@ status section_fingerprint(const section_case *c, const material *materials, con
     hash_int(&h, c->model);
     hash_int(&h, c->mesh.kind);
     hash_int(&h, c->mesh.order);
+    hash_int(&h, c->mesh.order_chosen);
     hash_real(&h, c->mesh.size);
     hash_real(&h, c->tolerance);
     hash_real(&h, p->turn_rate);

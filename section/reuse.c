@@ -261,7 +261,7 @@ static status solve_new(section_store *store, section_place *p, beam_law *turned
     status st = OK;
     TRY(make_room(store));
     TRY(solve_or_recall(store, p, turned));
-    turned->K = beam_law_move(turned->K, 0, 0, p->turn);
+    *turned = beam_law_turn(*turned, p->turn);
 
     solved_section *new = &store->solved[store->count];
     *new = (solved_section){.place = *p, .turned = *turned};

@@ -54,7 +54,7 @@ typedef struct section_case {
     field pattern_turn;  // of what the slices of a stack show [rad]; only its rate matters
     mesh_options mesh;
     key_rows stations; // arclengths that the user asks for, `stations_mm: [[...]]`; empty: chosen
-    double tolerance;  // of K, relative, along s too
+    double tolerance;  // of K, relative, along s too; 0: the mesh as it is, and a small one along s
     key_list wrenches; // of section_wrench: what stresses are asked for
     section_reference reference;
     key_rows points; // [n][2] places about which K is asked for too [m]

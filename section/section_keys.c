@@ -8,8 +8,6 @@
 
 enum { MOST_STATIONS = 1000, MOST_SHAPES = 500, MOST_POINTS = 100, MOST_WRENCHES = 100 };
 
-#define DEFAULT_TOLERANCE 1e-10
-
 // about the digits that tables print
 #define DEFAULT_AGREEMENT 1e-3
 
@@ -122,11 +120,11 @@ static const key keys[] = {
      .kind = KEY_REAL,
      .min = 1e-14,
      .max = 1e-2,
-     .initial = "1e-10",
      .offset = offsetof(section_case, tolerance),
      .about =
-         "relative error of the stiffness between the stations along the rod, and no less than "
-         "the error of the sections themselves"},
+         "relative error of the stiffness that the mesh is chosen for, unless it has a size, "
+         "and between the stations along the rod; without it the mesh is a fixed one, and 1e-10 "
+         "holds along the rod as far as the sections' own errors allow"},
     {.name = "reference",
      .kind = KEY_TABLE,
      .offset = offsetof(section_case, reference),
@@ -137,9 +135,8 @@ static const key keys[] = {
 static const section_case initial = {
     .model = MODEL_FULL,
     .scale = {.value = 1},
-    .mesh = {.kind = MESH_AUTO, .order = 4},
+    .mesh = {.kind = MESH_AUTO},
     .reference = {.tolerance = DEFAULT_AGREEMENT},
-    .tolerance = DEFAULT_TOLERANCE, // rods then are good to 1e-11 m
 };
 
 const key_table section_keys = {
@@ -239,6 +236,7 @@ status section_case_bind(section_case *c, const key_list *materials,
     status st = OK;
     TRY(check_reference(&c->reference, where));
     *where = c->at;
+    mesh_options_resolve(&c->mesh);
     c->nmaterial = materials->count;
     TRY(drawing_open(&c->files, &request, &c->drawing));
     if (!c->drawing) {

@@ -14,7 +14,3 @@ status section_solve_place(const section_case *c, const material *materials, con
 // `law`, relative; 0 where the file has none.
 status section_resolution(const section_case *c, const material *materials, const section_place *p,
                           const beam_law *law, double *out);
-
-// What a mesh of order p leaves behind, from the differences d1 = |K_p - K_(p-1)| and d2 = |K_(p-1)
-// - K_(p-2)|; d2 = 0 where p = 2. docs/theory.md (3.8)
-double section_error_left(int p, double d1, double d2);

@@ -51,14 +51,11 @@ static void table_and_default_agree(void)
     const section_case a = section_case_default();
     const section_case *b = section_keys.initial;
     CHECK(section_keys.size == sizeof(section_case));
-    CHECK(a.model == b->model && a.tolerance == b->tolerance);
-    CHECK(a.mesh.kind == b->mesh.kind && a.mesh.order == b->mesh.order &&
-          a.mesh.size == b->mesh.size);
-    for (int i = 0; i < section_keys.nkey; i++) {
-        if (strcmp(section_keys.keys[i].name, "tolerance") == 0) {
-            CHECK(atof(section_keys.keys[i].initial) == a.tolerance);
-        }
-    }
+    CHECK(a.model == b->model && a.tolerance == b->tolerance && a.tolerance == 0);
+    mesh_options resolved = b->mesh;
+    mesh_options_resolve(&resolved);
+    CHECK(a.mesh.kind == resolved.kind && a.mesh.order == resolved.order && a.mesh.order_chosen &&
+          resolved.order_chosen && a.mesh.size == resolved.size);
 }
 
 int main(void)

@@ -3,6 +3,8 @@
 // on a mesh two to eight times finer.
 #include "tests/verify/section/hand_meshes.h"
 
+#include "tests/verify/section/campaign.h"
+
 #include "section/solve.h"
 
 #include <math.h>
@@ -125,8 +127,70 @@ static void straight_classical_section_is_exact(void)
     CHECK_NEAR(law.K.a[NZ][NZ], 8, 1e-13);
 }
 
+// Eight of the kinds that bench/bench_estimate.c holds to the same promise.
+static void every_kind_at_the_default_mesh(void)
+{
+    campaign sum = {0};
+    const mesh_options mesh = mesh_options_default();
+    campaign_head();
+    for (int k = 0; k < SAMPLES; k++) {
+        sample s;
+        beam_law truth = {0};
+        measured m = {0};
+        sample_make(k, &s);
+        if (s.in_short) {
+            CHECK_OK(sample_reference(&s, &truth));
+            CHECK_OK(sample_solve(&s, &mesh, 0, &m));
+            campaign_row(&sum, s.name, "default", &m, &truth);
+        }
+    }
+    CHECK(sum.count == 8 && sum.below == 0 && sum.beyond == 0);
+}
+
+// What is asked for is met, by the truth as by the estimate; what cannot be is refused.
+static void a_tolerance_is_met(void)
+{
+    const double tolerance[] = {1e-3, 1e-4, 1e-5, 1e-6};
+    const int kinds[] = {3, 9, 25};
+    const mesh_options mesh = mesh_options_default();
+    for (int i = 0; i < 12; i++) {
+        sample s;
+        beam_law truth = {0};
+        measured m = {0};
+        sample_make(kinds[i / 4], &s);
+        CHECK_OK(sample_reference(&s, &truth));
+        CHECK_OK(sample_solve(&s, &mesh, tolerance[i % 4], &m));
+        CHECK(m.law.relative_error <= tolerance[i % 4]);
+        CHECK(mat6_relative_error(m.law.K, truth.K) <= tolerance[i % 4]);
+    }
+    sample s;
+    measured m = {0};
+    sample_make(3, &s);
+    CHECK(sample_solve(&s, &mesh, 1e-14, &m) == ERR_NUMERIC);
+    CHECK(strstr(status_message(), "rounding") != NULL);
+    status_clear();
+}
+
+// An order that the case gives stands.
+static void an_order_given_is_kept(void)
+{
+    sample s;
+    measured asked = {0}, plain = {0};
+    mesh_options mesh = mesh_options_default();
+    mesh.order = 2;
+    mesh.order_chosen = false;
+    sample_make(9, &s);
+    CHECK_OK(sample_solve(&s, &mesh, 0, &plain));
+    CHECK_OK(sample_solve(&s, &mesh, 1e-2, &asked));
+    CHECK(mat6_relative_error(asked.law.K, plain.law.K) == 0);
+}
+
 int main(void)
 {
+    every_kind_at_the_default_mesh();
+    a_tolerance_is_met();
+    an_order_given_is_kept();
+
     catheter();
     constant_nc(0.3, 0.3);
     constant_nc(0.45, 0.3);

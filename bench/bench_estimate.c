@@ -1,0 +1,46 @@
+// bench/bench_estimate.c
+// Every kind of section: its error estimate against its true error, at the default mesh and at
+// tolerances. Exit code 1 where the estimate breaks its promise.
+#include "tests/verify/section/campaign.h"
+
+static status one(int k, campaign *sum)
+{
+    status st = OK;
+    static const double tolerance[] = {0, 1e-3, 1e-4, 1e-5, 1e-6};
+    static const char *name[] = {"default", "1e-3", "1e-4", "1e-5", "1e-6"};
+    sample s;
+    beam_law truth;
+    const mesh_options mesh = mesh_options_default();
+    sample_make(k, &s);
+    TRY(sample_reference(&s, &truth));
+    for (int i = 0; i < (int)(sizeof tolerance / sizeof *tolerance); i++) {
+        measured m = {0};
+        TRY(sample_solve(&s, &mesh, tolerance[i], &m));
+        campaign_row(sum, s.name, name[i], &m, &truth);
+    }
+
+done:
+    return st;
+}
+
+int main(int argc, char **argv)
+{
+    campaign sum = {0};
+    int failed = 0;
+    const int only = argc > 1 ? atoi(argv[1]) : -1;
+    campaign_head();
+    for (int k = 0; k < SAMPLES; k++) {
+        if (only >= 0 && only != k) {
+            continue;
+        }
+        if (one(k, &sum) != OK) {
+            printf("%d: %s\n", k, status_message());
+            status_clear();
+            failed++;
+        }
+        fflush(stdout);
+    }
+    printf("\n%d of %d beyond 3 times the estimate, %d estimates beyond 30 times the error\n",
+           sum.below, sum.count, sum.beyond);
+    return failed > 0 || sum.below > 0 || 10 * sum.beyond > sum.count;
+}
