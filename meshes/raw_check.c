@@ -6,27 +6,15 @@
 #include <math.h>
 #include <string.h>
 
-// Of the section's size: out of the plane, and how near two nodes are one. Files round to 8 digits
-// at worst, and a gap of a real section is far wider.
-static const double PLANE_TOLERANCE = 1e-6, SAME_PLACE = 1e-8;
+// of the section's size: out of the plane
+static const double PLANE_TOLERANCE = 1e-6;
 
 typedef long long number; // for printf
-
-static double extent(const raw_mesh *r)
-{
-    const double *a = r->xyz + 3 * (size_t)r->conn[0];
-    double most = 0;
-    for (int i = 0; i < r->nconn; i++) {
-        const double *x = r->xyz + 3 * (size_t)r->conn[i];
-        most = fmax(most, fmax(fabs(x[0] - a[0]), fabs(x[1] - a[1])));
-    }
-    return most;
-}
 
 status raw_check_plane(const raw_mesh *r)
 {
     const int first = r->conn[0];
-    const double z = r->xyz[3 * (size_t)first + 2], allowed = PLANE_TOLERANCE * extent(r);
+    const double z = r->xyz[3 * (size_t)first + 2], allowed = PLANE_TOLERANCE * raw_extent(r);
     for (int i = 0; i < r->nconn; i++) {
         const double *x = r->xyz + 3 * (size_t)r->conn[i];
         if (!(fabs(x[2] - z) <= allowed)) {
@@ -147,7 +135,7 @@ typedef struct edges {
     int *parent; // [nelem] what hangs together
     int *role;   // [nnode] 0 unused, 1 a corner, 2 + edge, -1 inside an element
     int nborder;
-    int *border; // [nborder] corners of edges with one element, twice or more often
+    int *border; // [nborder] the ends of edges with one element, two by two
 } edges;
 
 static status take_role(edges *w, int node, int role, const raw_element *e)
@@ -207,68 +195,6 @@ done:
     return st;
 }
 
-// --- places
-
-typedef struct place {
-    int64_t x, y;
-    int node;
-} place;
-
-static int place_order(const void *a, const void *b)
-{
-    const place *p = a, *q = b;
-    if (p->x != q->x) {
-        return p->x < q->x ? -1 : 1;
-    }
-    if (p->y != q->y) {
-        return p->y < q->y ? -1 : 1;
-    }
-    return (p->node > q->node) - (p->node < q->node);
-}
-
-// Two nodes nearer than a cell are in the same one of the grids shifted by half a cell.
-static bool find_coincident(const edges *w, double cell, place *p, int found[2])
-{
-    const double *origin = w->r->xyz + 3 * (size_t)w->r->conn[0];
-    for (int shift = 0; shift < 4; shift++) {
-        for (int i = 0; i < w->nborder; i++) {
-            const double *x = w->r->xyz + 3 * (size_t)w->border[i];
-            p[i] = (place){.x = llround((x[0] - origin[0]) / cell + 0.5 * (shift & 1)),
-                           .y = llround((x[1] - origin[1]) / cell + 0.5 * (shift >> 1)),
-                           .node = w->border[i]};
-        }
-        qsort(p, (size_t)w->nborder, sizeof *p, place_order);
-        for (int i = 1; i < w->nborder; i++) {
-            if (p[i].x == p[i - 1].x && p[i].y == p[i - 1].y && p[i].node != p[i - 1].node) {
-                found[0] = p[i - 1].node;
-                found[1] = p[i].node;
-                return true;
-            }
-        }
-    }
-    return false;
-}
-
-static status check_places(const edges *w)
-{
-    status st = OK;
-    place *p = NULL;
-    int found[2];
-    TRY(TAKE(p, (size_t)w->nborder));
-    if (find_coincident(w, 2 * SAME_PLACE * extent(w->r), p, found)) {
-        const double *x = w->r->xyz + 3 * (size_t)found[0];
-        TRY(input_file_fail(w->r->file, 0,
-                            "nodes %lld and %lld are at the same place (%g, %g), so that the mesh "
-                            "is cut open there: merge them (gmsh: Coherence Mesh)",
-                            (number)w->r->node_id[found[0]], (number)w->r->node_id[found[1]], x[0],
-                            x[1]));
-    }
-
-done:
-    free(p);
-    return st;
-}
-
 static status check_connected(edges *w)
 {
     for (int k = 0; k < w->r->nelem; k++) {
@@ -306,7 +232,7 @@ status raw_check_edges(const raw_mesh *r, const bool *turned)
         TRY(take_edge(&w, i, last));
     }
     TRY(take_insides(&w));
-    TRY(check_places(&w));
+    TRY(raw_check_border(r, w.nborder / 2, w.border));
     TRY(check_connected(&w));
 
 done:

@@ -14,3 +14,11 @@ status raw_check_turns(const raw_mesh *r, bool *turned);
 // about the nodes along it; where a node has two places; where elements do not hang together
 // through edges, or nodes of the boundary coincide.
 status raw_check_edges(const raw_mesh *r, const bool *turned);
+
+// edge: [nedge][2] ends of the edges with one element. ERR_FILE where different nodes of them are
+// at one place, or two straight edges leave a node in the same direction: the mesh looks whole
+// there and is cut open.
+status raw_check_border(const raw_mesh *r, int nedge, const int *edge);
+
+// The section's size, in the file's unit.
+double raw_extent(const raw_mesh *r);

@@ -231,6 +231,11 @@ static void what_makes_no_section_is_refused_in_one_line(void)
         {HEAD "$Nodes\n6\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 0 0\n5 1 1 0\n6 0 1 0\n$EndNodes\n"
               "$Elements\n2\n1 2 2 1 1 1 2 3\n2 2 2 1 1 4 5 6\n$EndElements\n",
          "same place"},
+        // a square and, on half of its right side each, two more triangles
+        {HEAD "$Nodes\n6\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n5 1 .5 0\n6 2 .5 0\n$EndNodes\n"
+              "$Elements\n3\n1 3 2 1 1 1 2 3 4\n2 2 2 1 1 2 6 5\n3 2 2 1 1 5 6 3\n"
+              "$EndElements\n",
+         "node hangs on"},
         {HEAD "$Nodes\n6\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 5 0 0\n5 6 1 0\n6 5 1 0\n$EndNodes\n"
               "$Elements\n2\n1 2 2 1 1 1 2 3\n2 2 2 1 1 4 5 6\n$EndElements\n",
          "one piece"},
