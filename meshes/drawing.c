@@ -114,6 +114,11 @@ done:
     return st;
 }
 
+int drawing_best_order(const drawing *d)
+{
+    return d->kind->best_order;
+}
+
 status drawing_mesh(const drawing *d, int slice, const mesh_options *options, mesh *out)
 {
     return d->kind->mesh(d->state, slice, options, out);

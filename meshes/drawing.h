@@ -98,6 +98,9 @@ status drawing_outline(const drawing *d, section_outline *out, bool *found);
 // How far its first slice reaches from the origin [m]; meshed once for it where need be.
 status drawing_reach(drawing *d, double *reach);
 
+// The order of elements that serves such a file best where the case says nothing; 0: as elsewhere.
+int drawing_best_order(const drawing *d);
+
 // A mesh of one slice. The options' order and size hold where the file is not itself a mesh.
 status drawing_mesh(const drawing *d, int slice, const mesh_options *options, mesh *out);
 
@@ -119,4 +122,5 @@ typedef struct drawing_kind {
     status (*mesh)(const void *state, int slice, const mesh_options *options, mesh *out);
     status (*coarser)(const void *state, int slice, const mesh_options *options, mesh *out,
                       bool *found); // NULL: none
+    int best_order;                 // of elements; 0: as elsewhere
 } drawing_kind;

@@ -20,7 +20,7 @@ static const key mesh_key_list[] = {
      .initial = "0",
      .offset = offsetof(mesh_options, order),
      .about = "polynomial order of the elements and of their curved edges; 0: chosen by "
-              "section.tolerance, 4 without it"},
+              "section.tolerance, 4, of images 2, without it"},
     {.name = "size",
      .kind = KEY_REAL,
      .dimension = DIM_LENGTH,

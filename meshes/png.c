@@ -294,4 +294,7 @@ const drawing_kind png_drawing = {
     .layer = png_layer,
     .mesh = png_mesh,
     .coarser = png_coarser,
+    // stairs and the count of pixels leave ten times the error of elements of order 2: they cost a
+    // sixth of order 4
+    .best_order = 2,
 };

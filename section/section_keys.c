@@ -241,6 +241,8 @@ status section_case_bind(section_case *c, const key_list *materials,
     TRY(drawing_open(&c->files, &request, &c->drawing));
     if (!c->drawing) {
         TRY(bind_shapes(c, materials, where));
+    } else if (c->mesh.order_chosen && drawing_best_order(c->drawing) > 0) {
+        c->mesh.order = drawing_best_order(c->drawing);
     }
 
 done:
