@@ -136,6 +136,7 @@ static const section_case initial = {
     .model = MODEL_FULL,
     .scale = {.value = 1},
     .mesh = {.kind = MESH_AUTO},
+    .files = {.step = {.normal = {0, 0, 1}, .x_axis = {1, 0, 0}}}, // as in step_keys
     .reference = {.tolerance = DEFAULT_AGREEMENT},
 };
 
