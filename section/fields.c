@@ -3,6 +3,7 @@
 
 #include "base/beam_law.h"
 #include "base/memory.h"
+#include "section/strains.h"
 
 #include <math.h>
 #include <string.h>
@@ -42,56 +43,42 @@ double section_axial_modulus(const mesh *m, const material *materials, int mater
 
 // --- strains
 
-// S Z psi, docs/theory.md (2.1)
-static void add_rigid(double x, double y, const mat6 *psi, mat6 *strain)
-{
-    for (int j = 0; j < 6; j++) {
-        strain->a[ZZ][j] += psi->a[NZ][j] + y * psi->a[MX][j] - x * psi->a[MY][j];
-        strain->a[XZ][j] += psi->a[NX][j] - y * psi->a[MZ][j];
-        strain->a[YZ][j] += psi->a[NY][j] + x * psi->a[MZ][j];
-    }
-}
+// values of six nodal fields at a point, [3][6], and what the slopes want of them
+typedef struct warping_at {
+    double w[18], x[18], y[18], dw[18];
+} warping_at;
 
-// B w + S w' + k S D w of one column; u, ux, uy: the warping and its derivatives, du: w'
-static void add_warping(int j, double k, double x, double y, const double *u, const double *ux,
-                        const double *uy, const double *du, mat6 *strain)
+static warping_at gather(const plane *p, const plane_element *e, int point,
+                         const section_warping *warping)
 {
-    const double along[3] = {
-        du[0] + k * (-u[1] + y * ux[0] - x * uy[0]),
-        du[1] + k * (u[0] + y * ux[1] - x * uy[1]),
-        du[2] + k * (y * ux[2] - x * uy[2]),
-    };
-    strain->a[XX][j] += ux[0];
-    strain->a[YY][j] += uy[1];
-    strain->a[ZZ][j] += along[2];
-    strain->a[YZ][j] += uy[2] + along[1];
-    strain->a[XZ][j] += ux[2] + along[0];
-    strain->a[XY][j] += uy[0] + ux[1];
+    warping_at sum = {0};
+    for (int i = 0; i < e->nnode; i++) {
+        const int at = point * e->nnode + i;
+        const double N = e->N[at], Nx = e->Nx[at] / p->length, Ny = e->Ny[at] / p->length;
+        for (int j = 0; j < 6; j++) {
+            const size_t from = 3 * ((size_t)j * (size_t)warping->nnode + (size_t)e->node[i]);
+            for (int c = 0; c < 3; c++) {
+                const double w = warping->w[from + (size_t)c];
+                sum.w[6 * c + j] += N * w;
+                sum.x[6 * c + j] += Nx * w;
+                sum.y[6 * c + j] += Ny * w;
+                sum.dw[6 * c + j] += N * warping->dw[from + (size_t)c];
+            }
+        }
+    }
+    return sum;
 }
 
 mat6 section_strains(const plane *p, const plane_element *e, int point,
                      const section_warping *warping, double turn_rate)
 {
-    const int n = e->nnode;
-    const double *N = e->N + point * n, *Nx = e->Nx + point * n, *Ny = e->Ny + point * n;
     const double x = p->centre[0] + p->length * e->x[point];
     const double y = p->centre[1] + p->length * e->y[point];
-    mat6 strain = {0};
-    add_rigid(x, y, &warping->psi, &strain);
-    for (int j = 0; j < 6; j++) {
-        double u[3] = {0}, ux[3] = {0}, uy[3] = {0}, du[3] = {0};
-        for (int i = 0; i < n; i++) {
-            const size_t at = 3 * ((size_t)j * (size_t)warping->nnode + (size_t)e->node[i]);
-            for (int c = 0; c < 3; c++) {
-                const double w = warping->w[at + (size_t)c];
-                u[c] += N[i] * w;
-                ux[c] += Nx[i] / p->length * w;
-                uy[c] += Ny[i] / p->length * w;
-                du[c] += N[i] * warping->dw[at + (size_t)c];
-            }
-        }
-        add_warping(j, turn_rate, x, y, u, ux, uy, du, &strain);
-    }
+    const warping_at at = gather(p, e, point, warping);
+    mat6 strain;
+    set_rigid_strains(6, x, y, warping->psi.a[0], strain.a[0]);
+    add_warping_strains(6, turn_rate, x, y, at.w, at.x, at.y, strain.a[0]);
+    add_slope_strains(6, 1, at.dw, strain.a[0]);
     return strain;
 }
 
@@ -288,7 +275,8 @@ status section_fields_classical(const mesh *m, const material *materials, const 
     for (int i = 0; i < f.mesh.nnode; i++) {
         const double nu = materials[f.material[i]].nu;
         mat6 *strain = &f.strain[i];
-        add_rigid(f.mesh.xyz[3 * (size_t)i], f.mesh.xyz[3 * (size_t)i + 1], &F, strain);
+        *strain =
+            mat6_mul(rigid_strains(f.mesh.xyz[3 * (size_t)i], f.mesh.xyz[3 * (size_t)i + 1]), F);
         for (int j = 0; j < 6; j++) {
             strain->a[XX][j] = strain->a[YY][j] = -nu * strain->a[ZZ][j];
         }

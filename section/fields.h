@@ -3,11 +3,8 @@
 // docs/theory.md (3.20), (3.21)
 #pragma once
 
-#include "section/plane.h"
+#include "section/matter.h"
 #include "section/section.h"
-
-// Strains and stresses are ordered xx yy zz yz xz xy, with engineering shear strains.
-enum { XX, YY, ZZ, YZ, XZ, XY };
 
 // Strains at a point of an element for the six unit wrenches, column by column [1/N, 1/(N m)].
 // `length` and `centre` of the plane bring its scaled coordinates back.
