@@ -28,7 +28,7 @@ status store_text(store *s, const char *name, const char *text, size_t length);
 // piece's number).
 typedef struct store_field {
     const char *name;   // with its unit, "displacement_GC_m"
-    int ncomponent;     // 1 or 3
+    int ncomponent;     // 1, 3, or 6 for a symmetric tensor, as VTK has it: xx yy zz xy yz xz
     const double *data; // [nnode][ncomponent]
 } store_field;
 typedef struct store_grid_piece {

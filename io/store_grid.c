@@ -104,7 +104,7 @@ typedef struct grid {
     uint8_t *type;                     // [ncell]
     int *material, *part;              // [ncell]
     double *xyz;                       // [npoint][3]
-    double *field;                     // [npoint][3], one after the other
+    double *field;                     // [npoint][6] at most, one after the other
 } grid;
 
 static void grid_free(grid *g)
@@ -149,7 +149,7 @@ static status grid_count(int npiece, const store_grid_piece *pieces, grid *g)
     TRY(TAKE(g->material, g->ncell));
     TRY(TAKE(g->part, g->ncell));
     TRY(TAKE(g->xyz, 3 * g->npoint));
-    TRY(TAKE(g->field, 3 * g->npoint));
+    TRY(TAKE(g->field, 6 * g->npoint));
 
 done:
     return st;
@@ -225,14 +225,14 @@ static status write_field(const hdf5_door *door, hdf5_file *file, const store_gr
     for (size_t i = 0; i < g->npiece; i++) {
         const store_field *f = k < pieces[i].nfield ? &pieces[i].field[k] : NULL;
         if (!f || strcmp(f->name, first->name) != 0 || f->ncomponent != nc ||
-            (nc != 1 && nc != 3)) {
+            (nc != 1 && nc != 3 && nc != 6)) {
             return status_fail(ERR_BUG, "the grid's pieces differ in field %d", k);
         }
         const size_t n = (size_t)nc * (size_t)pieces[i].mesh->nnode;
         memcpy(&g->field[at], f->data, n * sizeof *f->data);
         at += n;
     }
-    const hdf5_array array = {HDF5_REAL, nc == 3 ? 2 : 1, {g->npoint, 3}};
+    const hdf5_array array = {HDF5_REAL, nc == 1 ? 1 : 2, {g->npoint, (size_t)nc}};
     (void)snprintf(name, sizeof name, "VTKHDF/PointData/%s", first->name);
     TRY(door->write(file, name, &array, g->field, unit_of(first->name)));
 

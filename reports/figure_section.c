@@ -64,7 +64,8 @@ status figure_section(const run_result *r, const char *dir)
     if (!r->has_section || r->section.nstation == 0 || r->section_mesh.nnode == 0) {
         return OK;
     }
-    section_sketch s = {.r = r, .centres = &r->section.station[0].centres};
+    section_sketch s = {
+        .r = r, .centres = &r->section.station[0].centres, .answers = result_answers(r, 0)};
 
     TRY(follow_centre(&s));
     const picture p = {

@@ -9,9 +9,10 @@
 
 typedef struct section_sketch {
     const run_result *r;
-    const beam_centres *centres; // of the first station
-    int npath;                   // 0 where nothing varies along the rod
-    double (*path)[4];           // s, x, y of the stiffness centre [m] and the turn of x' [rad]
+    const beam_centres *centres;    // of the first station
+    const section_answers *answers; // of the first station; NULL: not asked for
+    int npath;                      // 0 where nothing varies along the rod
+    double (*path)[4];              // s, x, y of the stiffness centre [m] and the turn of x' [rad]
 } section_sketch;
 
 status section_drawing(canvas *c, const section_sketch *s, box at);
@@ -20,3 +21,5 @@ void section_panel(canvas *c, const section_sketch *s, box at);
 void mark_geometric_centre(canvas *c, double x, double y);
 void mark_stiffness_centre(canvas *c, double x, double y);
 void mark_shear_centre(canvas *c, double x, double y);
+void mark_mass_centre(canvas *c, double x, double y);
+void kern_stroke(canvas *c); // of the path at hand

@@ -142,6 +142,39 @@ void mark_shear_centre(canvas *c, double x, double y)
     }
 }
 
+void mark_mass_centre(canvas *c, double x, double y)
+{
+    const double r = 5;
+    for (int pass = 0; pass < 2; pass++) {
+        canvas_rectangle(c, x - r, y - r, 2 * r, 2 * r);
+        canvas_stroke(c, pass ? INK_SOFT : (colour){1, 1, 1, 1}, pass ? 1.5 : 3);
+    }
+}
+
+void kern_stroke(canvas *c)
+{
+    canvas_dash(c, 2.5, 2.5);
+    canvas_stroke(c, INK_SECOND, 1.3);
+    canvas_dash(c, 0, 0);
+}
+
+static void kern(canvas *c, const section_sketch *s, const view *v)
+{
+    const section_answers *a = s->answers;
+    for (int i = 0; a && i < a->nkern; i++) {
+        const double x = view_x(v, a->kern[i][0]), y = view_y(v, a->kern[i][1]);
+        if (i == 0) {
+            canvas_move(c, x, y);
+        } else {
+            canvas_line(c, x, y);
+        }
+    }
+    if (a && a->nkern > 0) {
+        canvas_close(c);
+        kern_stroke(c);
+    }
+}
+
 // from one side of the section to the other along (cos, sin), a little beyond on both; the name at
 // the far end
 static void principal_axis(canvas *c, const section_sketch *s, const view *v, double angle,
@@ -214,7 +247,12 @@ status section_drawing(canvas *c, const section_sketch *s, box at)
         principal_axis(c, s, &v, s->centres->principal_angle, "x′");
         principal_axis(c, s, &v, s->centres->principal_angle + 0.5 * acos(-1.0), "y′");
     }
+    kern(c, s, &v);
     centre_path(c, s, &v);
+    if (s->answers && s->answers->mass.known) {
+        const double *at = s->answers->mass.mass_centre;
+        mark_mass_centre(c, view_x(&v, at[0]), view_y(&v, at[1]));
+    }
     mark_geometric_centre(c, view_x(&v, 0), view_y(&v, 0));
     mark_shear_centre(c, view_x(&v, s->centres->shear_centre[0]),
                       view_y(&v, s->centres->shear_centre[1]));

@@ -73,6 +73,22 @@ static void place_row(canvas *c, box at, double y, const char *name, const doubl
         number_fixed(place[0] * 1e3, 4).text, number_fixed(place[1] * 1e3, 4).text);
 }
 
+static double kern_and_mass(canvas *c, const section_sketch *s, box at, double y)
+{
+    if (s->answers && s->answers->mass.known) {
+        y += row + 1;
+        mark_mass_centre(c, at.x + 10, y - 4);
+        place_row(c, at, y, "mass centre", s->answers->mass.mass_centre);
+    }
+    if (s->answers && s->answers->nkern > 0) {
+        y += row + 1;
+        canvas_segment(c, at.x, y - 4, at.x + 22, y - 4);
+        kern_stroke(c);
+        say(c, at.x + 30, y, LOOK_TEXT, "kern: compression here leaves no tension");
+    }
+    return y;
+}
+
 static double places(canvas *c, const section_sketch *s, box at, double y)
 {
     const double origin[2] = {0, 0};
@@ -89,6 +105,7 @@ static double places(canvas *c, const section_sketch *s, box at, double y)
     y += row + 1;
     mark_shear_centre(c, at.x + 10, y - 4);
     place_row(c, at, y, "shear centre", s->centres->shear_centre);
+    y = kern_and_mass(c, s, at, y);
     y += row + 1;
     if (s->centres->isotropic) {
         say(c, at.x, y, LOOK_SMALL, "No preferred axes: every direction bends alike.");

@@ -5,6 +5,7 @@ status figures_all(const run_result *r, const char *dir)
 {
     status st = OK;
     TRY(figure_section(r, dir));
+    TRY(figure_stresses(r, dir));
     TRY(figure_segments(r, dir));
     TRY(figure_rods(r, dir));
     TRY(figure_curvature(r, dir));

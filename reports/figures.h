@@ -7,6 +7,8 @@
 // Each writes DIR/<name>.svg and DIR/<name>.png; nothing where the result has no such part.
 status figure_section(const run_result *r,
                       const char *dir); // section: materials, GC, NC, shear centre, principal axes
+status figure_stresses(const run_result *r,
+                       const char *dir); // stresses: strain and stress under the first wrenches
 status figure_segments(const run_result *r,
                        const char *dir); // segment: deformed, side by side, with undeformed outline
 status figure_rods(const run_result *r,

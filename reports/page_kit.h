@@ -22,6 +22,8 @@ status page_figure(bytes *page, const char *dir, const char *name, const char *c
 // result has none.
 status page_section(bytes *page, const run_result *r, const char *dir);
 status page_rod(bytes *page, const run_result *r, const char *dir);
+status page_answers(bytes *page, const run_result *r, const char *dir); // of the section
+status page_strains(bytes *page, const run_result *r);                  // of the rod
 status page_segment(bytes *page, const run_result *r, const char *dir);
 status page_compare(bytes *page, const run_result *r);
 status page_assumptions(bytes *page, const run_result *r);

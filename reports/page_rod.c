@@ -39,11 +39,12 @@ done:
     return st;
 }
 
-static status solution_row(bytes *page, const rod_result *rod, int solution, double linear)
+static status solution_row(bytes *page, const run_result *r, int solution)
 {
     status st = OK;
+    const rod_result *rod = &r->rod;
     const struct rod_run *run = &rod->run[solution];
-    const bool beyond = linear > 0 && run->largest_strain > linear;
+    const bool beyond = result_beyond_linear(r, run) >= 0;
 
     PAGE("<tr>");
     for (int i = 0; i < rod->ntendon; i++) {
@@ -63,32 +64,37 @@ done:
     return st;
 }
 
-static status strain_warning(bytes *page, const rod_result *rod, double linear, const char *name)
+static status strain_warning(bytes *page, const run_result *r)
 {
     status st = OK;
-    int beyond = 0;
-    double worst = 0;
+    const rod_result *rod = &r->rod;
+    int beyond = 0, worst = -1;
+    double most = 0;
+    const char *name = "";
+    const double linear = smallest_linear_strain(r, &name);
     for (int i = 0; i < rod->nsolution; i++) {
-        beyond += linear > 0 && rod->run[i].largest_strain > linear;
-        worst = fmax(worst, rod->run[i].largest_strain);
+        const int material = result_beyond_linear(r, &rod->run[i]);
+        beyond += material >= 0;
+        worst = material >= 0 ? material : worst;
+        most = fmax(most, rod->run[i].largest_strain);
     }
     if (linear <= 0) {
         PAGE("<p class=\"note\">The case does not say up to which strain its materials stay linear "
-             "(linear_strain). The largest strain here is at most %s %%.</p>\n",
-             number_fixed(worst * 100, 2).text);
+             "(linear_strain). The largest strain here is %s %%.</p>\n",
+             number_fixed(most * 100, 2).text);
     } else if (beyond > 0) {
-        PAGE("<p class=\"note warn\">⚠ %d of %d shapes strain the section by more than %s %%, "
-             "where ",
-             beyond, rod->nsolution, number_short(linear * 100, 3).text);
-        TRY(page_escaped(page, name));
-        PAGE(" stops being close to linear (up to %s %%). Their numbers are those of linear "
+        PAGE("<p class=\"note warn\">⚠ %d of %d shapes strain the section by more than what keeps ",
+             beyond, rod->nsolution);
+        TRY(page_escaped(page, r->materials[worst].name));
+        PAGE(" close to linear, %s %% (up to %s %%). Their numbers are those of linear "
              "materials.</p>\n",
-             number_fixed(worst * 100, 2).text);
+             number_short(r->materials[worst].linear_strain * 100, 3).text,
+             number_fixed(most * 100, 2).text);
     } else {
-        PAGE("<p class=\"note\">All shapes stay below %s %% strain, where ",
-             number_short(linear * 100, 3).text);
+        PAGE("<p class=\"note\">All shapes stay below the strains up to which the materials are "
+             "close to linear (");
         TRY(page_escaped(page, name));
-        PAGE(" is close to linear.</p>\n");
+        PAGE(": %s %%).</p>\n", number_short(linear * 100, 3).text);
     }
 
 done:
@@ -99,27 +105,26 @@ status page_rod(bytes *page, const run_result *r, const char *dir)
 {
     status st = OK;
     const rod_result *rod = &r->rod;
-    const char *name = "";
-    const double linear = smallest_linear_strain(r, &name);
     if (!r->has_rod || rod->nsolution == 0) {
         return OK;
     }
 
     PAGE("<h2 id=\"rod\">Rod under its tendons</h2>\n<p>Length %s mm, clamped at the base, no "
          "friction. "
-         "The largest strain is a bound over the whole section at the worst place.</p>\n",
+         "Strains are principal ones, over the whole section and along the rod.</p>\n",
          number_short(r->rod_length * 1e3, 6).text);
     TRY(page_figure(page, dir, "rods", "Shapes for all tensions."));
-    TRY(strain_warning(page, rod, linear, name));
+    TRY(strain_warning(page, r));
     PAGE("<div class=\"scroll\"><table>\n<caption>One row for each set of tensions; a tendon's "
          "length is "
          "what lies inside the body</caption>\n");
     TRY(head_row(page, rod));
     PAGE("<tbody>\n");
     for (int i = 0; i < rod->nsolution; i++) {
-        TRY(solution_row(page, rod, i, linear));
+        TRY(solution_row(page, r, i));
     }
     PAGE("</tbody></table></div>\n");
+    TRY(page_strains(page, r));
     TRY(page_figure(page, dir, "curvature",
                     "Curvature and twist along the rod, in the body frame."));
 

@@ -112,6 +112,7 @@ status page_section(bytes *page, const run_result *r, const char *dir)
     TRY(page_figure(page, dir, "section", "The section at the first station, to scale."));
     TRY(stations(page, s));
     TRY(stiffness(page, &s->station[0]));
+    TRY(page_answers(page, r, dir));
 
 done:
     return st;

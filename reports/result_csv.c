@@ -1,66 +1,23 @@
 // reports/result_csv.c
 // Tables for spreadsheets. Every name of a column of numbers ends in its unit; "ratio" and "count"
 // stand for none.
-#include "reports/result.h"
+#include "reports/csv_kit.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-enum { MAX_PATH = 4096, MAX_COLUMNS = 96, MAX_NAME = 96 };
-
-// the names of a table's columns as they are collected
-typedef struct header {
-    int n;
-    char text[MAX_COLUMNS][MAX_NAME];
-} header;
-
-static void add(header *h, const char *name)
-{
-    (void)snprintf(h->text[h->n++], MAX_NAME, "%s", name);
-}
-
-// "A B C": one column each
-static void add_all(header *h, const char *names)
-{
-    while (*names) {
-        const size_t length = strcspn(names, " ");
-        (void)snprintf(h->text[h->n++], MAX_NAME, "%.*s", (int)length, names);
-        names += length + (names[length] == ' ');
-    }
-}
-
-static status open_table(const char *dir, const char *file, const header *h, csv **out)
-{
-    char path[MAX_PATH];
-    const char *names[MAX_COLUMNS];
-    if (snprintf(path, sizeof path, "%s/%s", dir, file) >= (int)sizeof path) {
-        return status_fail(ERR_INPUT, "%.60s...: the path is too long", dir);
-    }
-    for (int i = 0; i < h->n; i++) {
-        names[i] = h->text[i];
-    }
-    return csv_open(path, h->n, names, out);
-}
-
-static void reals(csv *c, int n, const double *values)
-{
-    for (int i = 0; i < n; i++) {
-        csv_real(c, values[i]);
-    }
-}
-
 // the upper half of a stiffness: forces by strains N, couplings N m, moments by curvatures N m^2
-static void add_stiffness(header *h)
+static void add_stiffness(csv_header *h)
 {
     static const char *const names[] = {"nx", "ny", "nz", "mx", "my", "mz"};
     static const char *const units[] = {"N", "Nm", "Nm2"};
     for (int i = 0; i < 6; i++) {
         for (int k = i; k < 6; k++) {
-            char name[MAX_NAME];
+            char name[CSV_MAX_NAME];
             (void)snprintf(name, sizeof name, "K_%s_%s_%s", names[i], names[k],
                            units[(i >= MX) + (k >= MX)]);
-            add(h, name);
+            csv_add(h, name);
         }
     }
 }
@@ -68,71 +25,77 @@ static void add_stiffness(header *h)
 static void stiffness(csv *c, const mat6 *K)
 {
     for (int i = 0; i < 6; i++) {
-        reals(c, 6 - i, &K->a[i][i]);
+        csv_reals(c, 6 - i, &K->a[i][i]);
     }
 }
 
 static status write_sections(const run_result *r, const char *dir)
 {
     csv *c = NULL;
-    header h = {0};
-    add_all(&h, "s_m area_m2 EA_N stiffness_centre_x_m stiffness_centre_y_m principal_angle_rad "
+    csv_header h = {0};
+    csv_add_all(&h,
+                "s_m area_m2 EA_N stiffness_centre_x_m stiffness_centre_y_m principal_angle_rad "
                 "EI_about_principal_x_Nm2 EI_about_principal_y_Nm2 EIxx_centre_Nm2 EIyy_centre_Nm2 "
                 "EIxy_centre_Nm2 GJ_Nm2 shear_centre_x_m shear_centre_y_m relative_error_ratio");
     add_stiffness(&h);
-    const status st = open_table(dir, "sections.csv", &h, &c);
+    csv_add_answers(&h);
+    const status st = csv_table(dir, "sections.csv", &h, &c);
     for (int i = 0; st == OK && i < r->section.nstation; i++) {
         const section_station *s = &r->section.station[i];
         csv_real(c, s->s);
         csv_real(c, s->law.area);
         csv_real(c, s->centres.EA);
-        reals(c, 2, s->centres.stiffness_centre);
+        csv_reals(c, 2, s->centres.stiffness_centre);
         csv_real(c, s->centres.principal_angle);
-        reals(c, 2, s->centres.EI);
-        reals(c, 3, s->centres.EI_centre);
+        csv_reals(c, 2, s->centres.EI);
+        csv_reals(c, 3, s->centres.EI_centre);
         csv_real(c, s->centres.GJ);
-        reals(c, 2, s->centres.shear_centre);
+        csv_reals(c, 2, s->centres.shear_centre);
         csv_real(c, s->law.relative_error);
         stiffness(c, &s->law.K);
+        csv_answers(c, r, i);
     }
     return st == OK ? csv_close(c) : st;
 }
 
 // one column per tendon; names are numbered, since two tendons may be called the same
-static void add_tendons(header *h, const rod_result *rod, const char *what, const char *unit)
+static void add_tendons(csv_header *h, const rod_result *rod, const char *what, const char *unit)
 {
     for (int i = 0; i < rod->ntendon; i++) {
-        char name[MAX_NAME];
+        char name[CSV_MAX_NAME];
         (void)snprintf(name, sizeof name, "%s_%d_%.40s%s%s", what, i + 1, rod->tendon_name[i],
                        rod->tendon_name[i][0] ? "_" : "", unit);
-        add(h, name);
+        csv_add(h, name);
     }
 }
 
 static status write_rods(const run_result *r, const char *dir)
 {
     csv *c = NULL;
-    header h = {0};
+    csv_header h = {0};
     const rod_result *rod = &r->rod;
-    add_all(&h, "solution_count");
+    csv_add_all(&h, "solution_count");
     add_tendons(&h, rod, "tension", "N");
-    add_all(&h, "tip_x_m tip_y_m tip_z_m tip_Rxx_ratio tip_Rxy_ratio tip_Rxz_ratio tip_Ryx_ratio "
+    csv_add_all(&h,
+                "tip_x_m tip_y_m tip_z_m tip_Rxx_ratio tip_Rxy_ratio tip_Rxz_ratio tip_Ryx_ratio "
                 "tip_Ryy_ratio tip_Ryz_ratio tip_Rzx_ratio tip_Rzy_ratio tip_Rzz_ratio "
                 "total_bend_rad");
     add_tendons(&h, rod, "length", "m");
-    add_all(&h, "iterations_count relative_error_ratio largest_strain_ratio");
-    const status st = open_table(dir, "rods.csv", &h, &c);
+    csv_add_all(&h, "iterations_count relative_error_ratio largest_strain_ratio");
+    csv_add_strains(&h, r);
+    const status st = csv_table(dir, "rods.csv", &h, &c);
     for (int i = 0; st == OK && i < rod->nsolution; i++) {
         const struct rod_run *run = &rod->run[i];
         csv_real(c, i + 1);
-        reals(c, rod->ntendon, run->tension);
-        reals(c, 3, run->tip.p.a);
-        reals(c, 9, &run->tip.R.a[0][0]);
+        csv_reals(c, rod->ntendon, run->tension);
+        csv_reals(c, 3, run->tip.p.a);
+        csv_reals(c, 9, &run->tip.R.a[0][0]);
         csv_real(c, run->total_bend_rad);
-        reals(c, rod->ntendon, run->tendon_length);
+        csv_reals(c, rod->ntendon, run->tendon_length);
         csv_real(c, run->iterations);
         csv_real(c, run->relative_error);
         csv_real(c, run->largest_strain);
+        csv_strains(c, r, run);
     }
     return st == OK ? csv_close(c) : st;
 }
@@ -140,16 +103,17 @@ static status write_rods(const run_result *r, const char *dir)
 static status write_shapes(const run_result *r, const char *dir)
 {
     csv *c = NULL;
-    header h = {0};
-    add_all(&h, "solution_count s_m x_m y_m z_m curvature_x_per_m curvature_y_per_m twist_per_m");
-    const status st = open_table(dir, "shapes.csv", &h, &c);
+    csv_header h = {0};
+    csv_add_all(&h,
+                "solution_count s_m x_m y_m z_m curvature_x_per_m curvature_y_per_m twist_per_m");
+    const status st = csv_table(dir, "shapes.csv", &h, &c);
     for (int i = 0; st == OK && i < r->rod.nsolution; i++) {
         const struct rod_run *run = &r->rod.run[i];
         for (int k = 0; k < r->rod.npoint; k++) {
             csv_real(c, i + 1);
             csv_real(c, run->s[k]);
-            reals(c, 3, run->shape[k].p.a);
-            reals(c, 3, run->curvature[k]);
+            csv_reals(c, 3, run->shape[k].p.a);
+            csv_reals(c, 3, run->curvature[k]);
         }
     }
     return st == OK ? csv_close(c) : st;
@@ -158,22 +122,23 @@ static status write_shapes(const run_result *r, const char *dir)
 static status write_segment(const run_result *r, const char *dir)
 {
     csv *c = NULL;
-    header h = {0};
-    add_all(&h, "load point_x_m point_y_m force_x_N force_y_N force_z_N moment_x_Nm moment_y_Nm "
+    csv_header h = {0};
+    csv_add_all(&h,
+                "load point_x_m point_y_m force_x_N force_y_N force_z_N moment_x_Nm moment_y_Nm "
                 "moment_z_Nm shortening_m tip_displacement_x_m tip_displacement_y_m "
                 "tip_displacement_z_m tip_rotation_x_rad tip_rotation_y_rad tip_rotation_z_rad "
                 "mid_curvature_x_per_m mid_curvature_y_per_m strain_energy_J");
-    const status st = open_table(dir, "segment.csv", &h, &c);
+    const status st = csv_table(dir, "segment.csv", &h, &c);
     for (int i = 0; st == OK && i < r->segment.nload; i++) {
         const segment_load_result *load = &r->segment.load[i];
         csv_text(c, load->name ? load->name : "");
-        reals(c, 2, load->point);
-        reals(c, 3, load->force);
-        reals(c, 3, load->moment);
+        csv_reals(c, 2, load->point);
+        csv_reals(c, 3, load->force);
+        csv_reals(c, 3, load->moment);
         csv_real(c, load->shortening);
-        reals(c, 3, load->tip_displacement);
-        reals(c, 3, load->tip_rotation);
-        reals(c, 2, load->mid_curvature);
+        csv_reals(c, 3, load->tip_displacement);
+        csv_reals(c, 3, load->tip_rotation);
+        csv_reals(c, 2, load->mid_curvature);
         csv_real(c, load->strain_energy);
     }
     return st == OK ? csv_close(c) : st;
@@ -182,10 +147,10 @@ static status write_segment(const run_result *r, const char *dir)
 static status write_compare(const run_result *r, const char *dir)
 {
     csv *c = NULL;
-    header h = {0};
-    add_all(&h, "what unit ours_in_unit other_in_unit difference_ratio tolerance_ratio verdict "
-                "reason");
-    const status st = open_table(dir, "compare.csv", &h, &c);
+    csv_header h = {0};
+    csv_add_all(&h, "what unit ours_in_unit other_in_unit difference_ratio tolerance_ratio verdict "
+                    "reason");
+    const status st = csv_table(dir, "compare.csv", &h, &c);
     for (int i = 0; st == OK && i < r->ncompare; i++) {
         const compare_row *row = &r->compare[i];
         csv_text(c, row->what);
@@ -204,6 +169,8 @@ status result_csv(const run_result *r, const char *dir)
 {
     status st = OK;
     TRY(r->has_section ? write_sections(r, dir) : OK);
+    TRY(csv_kern(r, dir));
+    TRY(csv_stresses(r, dir));
     TRY(r->has_rod ? write_rods(r, dir) : OK);
     TRY(r->has_rod ? write_shapes(r, dir) : OK);
     TRY(r->has_segment ? write_segment(r, dir) : OK);

@@ -32,6 +32,8 @@ static inline column_rows single(void *base)
 }
 
 status store_pass_section(const passage *p, run_result *r);
+status store_pass_answers(const passage *p, run_result *r); // after the section
+status store_pass_strains(const passage *p, run_result *r); // after the rod
 status store_pass_rod(const passage *p, run_result *r);
 status store_pass_segment(const passage *p, run_result *r);
 

@@ -73,6 +73,7 @@ status store_pass_rod(const passage *p, run_result *r)
     for (int i = 0; i < n; i++) {
         TRY(pass_shape(p, i, rod->npoint, &rod->run[i]));
     }
+    TRY(store_pass_strains(p, r));
 
 done:
     return st;

@@ -8,6 +8,7 @@ static status pass_stations(const passage *p, run_result *r)
 #define STATION(member) offsetof(section_station, member)
     static const column columns[] = {
         {"s_m", COLUMN_REAL, "m", STATION(s), 0, {0}, 0},
+        {"turn_rate_rad_per_m", COLUMN_REAL, "rad/m", STATION(turn_rate), 0, {0}, 0},
         {"area_m2", COLUMN_POSITIVE, "m^2", STATION(law.area), 0, {0}, 0},
         {"K", COLUMN_REAL, STIFFNESS_UNIT, STATION(law.K), 2, {6, 6}, 0},
         {"relative_error", COLUMN_ANY, "-", STATION(law.relative_error), 0, {0}, 0},
@@ -110,6 +111,7 @@ status store_pass_section(const passage *p, run_result *r)
     TRY(pass_stations(p, r));
     TRY(pass_along(p, &r->section.along));
     TRY(passage_mesh(p, "section/mesh", 2, r->nmaterial, &r->section_mesh));
+    TRY(store_pass_answers(p, r));
 
 done:
     return st;

@@ -57,7 +57,7 @@ static void section_lines(summary *s, const run_result *r)
         r->section.nstation == 1 ? "" : "s", at->law.relative_error);
 }
 
-static void rod_line(summary *s, const run_result *r, int solution, double linear)
+static void rod_line(summary *s, const run_result *r, int solution)
 {
     const struct rod_run *run = &r->rod.run[solution];
     char pulled[40] = "";
@@ -69,31 +69,31 @@ static void rod_line(summary *s, const run_result *r, int solution, double linea
     add(s, "         %-18s tip (%8.3f, %8.3f, %8.3f) mm  bend %6.1f deg  strain %4.1f %%%s", pulled,
         plain(run->tip.p.a[0] * 1e3, 5e-4), plain(run->tip.p.a[1] * 1e3, 5e-4),
         plain(run->tip.p.a[2] * 1e3, 5e-4), degrees(run->total_bend_rad), run->largest_strain * 100,
-        linear > 0 && run->largest_strain > linear ? " !" : "");
+        result_beyond_linear(r, run) >= 0 ? " !" : "");
 }
 
 static void rod_lines(summary *s, const run_result *r, int room)
 {
-    const char *name = "";
-    const double linear = smallest_linear_strain(r, &name);
     const rod_result *rod = &r->rod;
-    int beyond = 0;
+    int beyond = 0, worst = -1;
     for (int i = 0; i < rod->nsolution; i++) {
-        beyond += linear > 0 && rod->run[i].largest_strain > linear;
+        const int material = result_beyond_linear(r, &rod->run[i]);
+        beyond += material >= 0;
+        worst = material >= 0 ? material : worst;
     }
     // the heading, perhaps the warning, and as many solutions as fit
     const int space = room - 1 - (beyond > 0);
     const int shown = rod->nsolution <= space ? rod->nsolution : space - 1;
     add(s, "rod      %.4g mm, tensions in N", r->rod_length * 1e3);
     for (int i = 0; i < shown; i++) {
-        rod_line(s, r, i, linear);
+        rod_line(s, r, i);
     }
     if (shown < rod->nsolution) {
         add(s, "         and %d more in rods.csv", rod->nsolution - (shown > 0 ? shown : 0));
     }
     if (beyond > 0) {
         add(s, "         ! %d of %d strain %s past its linear %.3g %%", beyond, rod->nsolution,
-            name, linear * 100);
+            r->materials[worst].name, r->materials[worst].linear_strain * 100);
     }
 }
 

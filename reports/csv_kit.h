@@ -1,0 +1,28 @@
+// reports/csv_kit.h
+// What the tables share. Every name of a column of numbers ends in its unit; "ratio" and "count"
+// stand for none.
+#pragma once
+
+#include "reports/result.h"
+
+enum { CSV_MAX_COLUMNS = 320, CSV_MAX_NAME = 96 };
+
+// the names of a table's columns as they are collected
+typedef struct csv_header {
+    int n;
+    char text[CSV_MAX_COLUMNS][CSV_MAX_NAME];
+} csv_header;
+
+void csv_add(csv_header *h, const char *name);
+void csv_add_all(csv_header *h, const char *names); // "A B C": one column each
+status csv_table(const char *dir, const char *file, const csv_header *h, csv **out);
+void csv_reals(csv *c, int n, const double *values);
+
+// reports/csv_answers.c: columns of sections.csv beyond the law; of rods.csv the strain of every
+// material; and tables of their own, kern.csv and stresses.csv, where there is something to say.
+void csv_add_answers(csv_header *h);
+void csv_answers(csv *c, const run_result *r, int station);
+void csv_add_strains(csv_header *h, const run_result *r);
+void csv_strains(csv *c, const run_result *r, const struct rod_run *run);
+status csv_kern(const run_result *r, const char *dir);
+status csv_stresses(const run_result *r, const char *dir);
