@@ -24,6 +24,33 @@ carrier carrier_arc(const double centre[2], double first, double second, double 
         .to = to};
 }
 
+// an ellipse longer than this is long
+static const double LONG_ELLIPSE = 2;
+// no piece is shorter than this angle [rad]
+static const double SHORTEST_PIECE = 1e-6;
+
+int carrier_divided(const double centre[2], double first, double second, double angle, double from,
+                    double to, carrier out[CARRIER_MOST_PIECES])
+{
+    const bool is_long = fmax(first, second) > LONG_ELLIPSE * fmin(first, second);
+    const double slant = atan2(second, first); // where the tangent runs at half a right angle
+    const double at[] = {0, slant, PI / 2, PI - slant};
+    int n = 0;
+    double begin = from;
+    for (int half = (int)floor(from / PI); half * PI < to; half++) {
+        for (int i = 0; i < 4; i += is_long ? 1 : 2) {
+            const double end = half * PI + at[i];
+            if (end > begin + SHORTEST_PIECE && end < to - SHORTEST_PIECE &&
+                n < CARRIER_MOST_PIECES - 1) {
+                out[n++] = carrier_arc(centre, first, second, angle, begin, end);
+                begin = end;
+            }
+        }
+    }
+    out[n++] = carrier_arc(centre, first, second, angle, begin, to);
+    return n;
+}
+
 carrier carrier_cubic(const double *control)
 {
     carrier c = {.kind = CARRIER_CUBIC, .to = 1};
@@ -113,6 +140,28 @@ carrier carrier_reversed(const carrier *c)
     }
     for (int i = 0, n = point_count(c); i < n; i++) {
         memcpy(out.p[i], c->p[n - 1 - i], sizeof out.p[i]);
+    }
+    return out;
+}
+
+carrier carrier_bent(const carrier *c, const double by_start[2], const double by_end[2])
+{
+    carrier out = *c;
+    const int last = point_count(c) - 1;
+    for (int k = 0; k < 2; k++) {
+        if (c->kind == CARRIER_ELLIPSE) {
+            // p1 cos t + p2 sin t takes up both
+            const double det = sin(c->to - c->from), a = by_start[k], b = by_end[k];
+            out.p[1][k] += (a * sin(c->to) - b * sin(c->from)) / det;
+            out.p[2][k] += (b * cos(c->from) - a * cos(c->to)) / det;
+            continue;
+        }
+        out.p[0][k] += by_start[k];
+        out.p[last][k] += by_end[k];
+        if (c->kind == CARRIER_CUBIC) {
+            out.p[1][k] += by_start[k];
+            out.p[2][k] += by_end[k];
+        }
     }
     return out;
 }

@@ -21,6 +21,12 @@ carrier carrier_line(const double a[2], const double b[2]);
 // half axes `first` at `angle` and `second` across it [rad]
 carrier carrier_arc(const double centre[2], double first, double second, double angle, double from,
                     double to);
+// An arc of any length up to a full turn, to >= from, as pieces that end where the tangent runs
+// along an axis, and on a long ellipse also where it runs between them: its sharp ends are pieces of
+// their own. Returns how many.
+enum { CARRIER_MOST_PIECES = 10 };
+int carrier_divided(const double centre[2], double first, double second, double angle, double from,
+                    double to, carrier out[CARRIER_MOST_PIECES]);
 carrier carrier_cubic(const double *control); // [4][2]
 
 void carrier_point(const carrier *c, double t, double x[2]);
@@ -32,6 +38,9 @@ void carrier_end(const carrier *c, double x[2]);
 carrier carrier_moved(const carrier *c, double angle, const double shift[2], int mirror);
 carrier carrier_scaled(const carrier *c, double factor);
 carrier carrier_reversed(const carrier *c);
+
+// The piece with its ends moved a little: an arc becomes part of another ellipse about its centre.
+carrier carrier_bent(const carrier *c, const double by_start[2], const double by_end[2]);
 
 // Points whose convex hull holds the part between two parameters; they begin and end with its ends,
 // and in between turn at least as much as it does. Returns how many, 2 to 4.

@@ -9,11 +9,7 @@
 
 #define PI 3.14159265358979323846
 
-// an ellipse longer than this is also divided where its tangent runs at half a right angle, so that
-// its ends are pieces of their own
-static const double LONG_ELLIPSE = 2;
-
-enum { ELLIPSE_PIECES = 8, ROUNDED_PIECES = 8 };
+enum { ROUNDED_PIECES = 8 };
 
 static status take_pieces(outline *o, int nloop, size_t npiece)
 {
@@ -50,18 +46,10 @@ status freeze_ellipse(const freezer *f, const ellipse_spec *ellipse)
     TRY(freeze_number(f, &ellipse->angle, "angle", &o->angle));
     TRY(freeze_length(f, &ellipse->semi_axis_x, "semi_axis_x", &axis[0]));
     TRY(freeze_length(f, &ellipse->semi_axis_y, "semi_axis_y", &axis[1]));
-    TRY(take_pieces(o, 1, ELLIPSE_PIECES));
+    TRY(take_pieces(o, 1, CARRIER_MOST_PIECES));
     o->thickness = fmin(axis[0], axis[1]);
-    const bool is_long = fmax(axis[0], axis[1]) > LONG_ELLIPSE * o->thickness;
-    const double slant = atan2(axis[1], axis[0]); // where the tangent runs at half a right angle
-    for (int i = 0; i < 4; i++) {
-        const double middle = i % 2 ? (i + 1) * PI / 2 - slant : i * PI / 2 + slant;
-        const double at[3] = {i * PI / 2, middle, (i + 1) * PI / 2};
-        for (int part = 0; part < (is_long ? 2 : 1); part++) {
-            o->piece[o->loop_start[1]++] = carrier_arc(o->centre, axis[0], axis[1], o->angle,
-                                                       at[part], is_long ? at[part + 1] : at[2]);
-        }
-    }
+    o->loop_start[1] =
+        carrier_divided(o->centre, axis[0], axis[1], o->angle, 0, 2 * PI, o->piece);
     TRY(finish(f));
 
 done:

@@ -122,7 +122,8 @@ static void add_polygon(writer *w, const outline *o)
 static bool is_circle(const carrier *c)
 {
     const double *u = c->p[1], *v = c->p[2], a = hypot(u[0], u[1]), b = hypot(v[0], v[1]);
-    return fabs(a - b) <= OUTLINE_MERGE * a;
+    return fabs(a - b) <= OUTLINE_MERGE * a &&
+           fabs(u[0] * v[0] + u[1] * v[1]) <= OUTLINE_MERGE * a * b;
 }
 
 static void add_piece(writer *w, const carrier *c)
