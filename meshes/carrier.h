@@ -22,8 +22,8 @@ carrier carrier_line(const double a[2], const double b[2]);
 carrier carrier_arc(const double centre[2], double first, double second, double angle, double from,
                     double to);
 // An arc of any length up to a full turn, to >= from, as pieces that end where the tangent runs
-// along an axis, and on a long ellipse also where it runs between them: its sharp ends are pieces of
-// their own. Returns how many.
+// along an axis, and on a long ellipse also where it runs between them: its sharp ends are pieces
+// of their own. Returns how many.
 enum { CARRIER_MOST_PIECES = 10 };
 int carrier_divided(const double centre[2], double first, double second, double angle, double from,
                     double to, carrier out[CARRIER_MOST_PIECES]);

@@ -30,6 +30,9 @@ static const drawing_kind *kind_of(const drawing_files *f)
     if (mark_given(f->step.at)) {
         return &step_drawing;
     }
+    if (mark_given(f->dxf.at)) {
+        return &dxf_drawing;
+    }
     if (mark_given(f->geo.at)) {
         return &geo_drawing;
     }

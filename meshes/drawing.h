@@ -50,7 +50,7 @@ typedef struct dxf_spec {
     mark at;
     key_text file;
     key_list parts; // by layer
-    int unit;
+    int unit;       // 0: the file's own; else one more than drawing_unit
 } dxf_spec;
 
 typedef struct geo_spec {

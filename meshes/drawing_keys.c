@@ -136,8 +136,16 @@ const key_table step_keys = {.name = "step",
                              .initial = &step_initial,
                              .about = "bodies of a STEP file, cut at a plane"};
 
-static const key dxf_key_list[] = {FILE_KEY(dxf_spec, "an ASCII DXF file"), PARTS_KEY(dxf_spec),
-                                   UNIT_KEY(dxf_spec)};
+static const key dxf_key_list[] = {
+    FILE_KEY(dxf_spec, "an ASCII DXF file"),
+    PARTS_KEY(dxf_spec),
+    {.name = "unit",
+     .kind = KEY_CHOICE,
+     .choices = "file|mm|m|cm|um|in",
+     .initial = "file",
+     .offset = offsetof(dxf_spec, unit),
+     .about = "of the lengths in the file; file: what its header says ($INSUNITS), else mm"},
+};
 
 const key_table dxf_keys = {.name = "dxf",
                             .size = sizeof(dxf_spec),

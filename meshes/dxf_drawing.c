@@ -100,7 +100,5 @@ static status give_mesh(const void *state, int slice, const mesh_options *option
 }
 
 extern const drawing_kind dxf_drawing;
-const drawing_kind dxf_drawing = {.open = open_drawing,
-                                  .close = close_drawing,
-                                  .outline = give_outline,
-                                  .mesh = give_mesh};
+const drawing_kind dxf_drawing = {
+    .open = open_drawing, .close = close_drawing, .outline = give_outline, .mesh = give_mesh};

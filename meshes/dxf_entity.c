@@ -233,10 +233,10 @@ done:
 // these draw nothing that a section is made of
 static bool is_note(const char *kind)
 {
-    static const char *const notes[] = {"TEXT",     "MTEXT",       "POINT",  "DIMENSION",
-                                        "LEADER",   "MULTILEADER", "HATCH",  "VIEWPORT",
-                                        "ATTDEF",   "ATTRIB",      "SEQEND", "TOLERANCE",
-                                        "ARC_DIMENSION", "XLINE",  "RAY"};
+    static const char *const notes[] = {"TEXT",          "MTEXT",       "POINT",  "DIMENSION",
+                                        "LEADER",        "MULTILEADER", "HATCH",  "VIEWPORT",
+                                        "ATTDEF",        "ATTRIB",      "SEQEND", "TOLERANCE",
+                                        "ARC_DIMENSION", "XLINE",       "RAY"};
     for (size_t i = 0; i < sizeof notes / sizeof *notes; i++) {
         if (strcmp(kind, notes[i]) == 0) {
             return true;
@@ -267,8 +267,8 @@ status dxf_entity_draw(dxf_text *t, dxf_entity *e, dxf_plan *p)
     const struct {
         const char *kind;
         status (*draw)(const dxf_text *t, const dxf_entity *e, dxf_plan *p);
-    } kinds[] = {{"LINE", draw_line},       {"CIRCLE", draw_arc},
-                 {"ARC", draw_arc},         {"ELLIPSE", draw_ellipse},
+    } kinds[] = {{"LINE", draw_line},         {"CIRCLE", draw_arc},
+                 {"ARC", draw_arc},           {"ELLIPSE", draw_ellipse},
                  {"SPLINE", dxf_spline_draw}, {"LWPOLYLINE", draw_lwpolyline}};
     for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++) {
         if (strcmp(e->kind, kinds[i].kind) == 0) {

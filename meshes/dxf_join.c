@@ -218,8 +218,8 @@ static void close_gaps(dxf_loop *l, double slack)
         } else {
             memcpy(by_end, first, sizeof by_end);
         }
-        const bool still = memcmp(by_start, none, sizeof none) == 0 &&
-                           memcmp(by_end, none, sizeof none) == 0;
+        const bool still =
+            memcmp(by_start, none, sizeof none) == 0 && memcmp(by_end, none, sizeof none) == 0;
         l->piece[i] = still ? l->piece[i] : carrier_bent(&l->piece[i], by_start, by_end);
         memcpy(by_start, next, sizeof by_start);
     }

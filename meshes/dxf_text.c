@@ -110,14 +110,14 @@ void dxf_word(const dxf_text *t, char out[DXF_NAME])
 
 static bool is_number(int code)
 {
-    return (code >= 10 && code < 80) || (code >= 90 && code < 100) ||
-           (code >= 210 && code < 240);
+    return (code >= 10 && code < 80) || (code >= 90 && code < 100) || (code >= 210 && code < 240);
 }
 
 static status add_pair(const dxf_text *t, dxf_entity *e, double value)
 {
     if (e->npair >= MOST_PAIRS) {
-        return input_file_fail(t->file, e->line, "%s has more than %d numbers", e->kind, MOST_PAIRS);
+        return input_file_fail(t->file, e->line, "%s has more than %d numbers", e->kind,
+                               MOST_PAIRS);
     }
     if (e->npair >= e->room) {
         const int room = 2 * e->room + 64;

@@ -9,7 +9,7 @@ enum { DXF_NAME = 64 };
 typedef struct dxf_text {
     const input_file *file;
     size_t at;
-    long line;   // of the pair's code, from 1
+    long line; // of the pair's code, from 1
     int code;
     const char *value; // [length], not ended by 0
     size_t length;

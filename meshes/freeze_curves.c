@@ -48,8 +48,7 @@ status freeze_ellipse(const freezer *f, const ellipse_spec *ellipse)
     TRY(freeze_length(f, &ellipse->semi_axis_y, "semi_axis_y", &axis[1]));
     TRY(take_pieces(o, 1, CARRIER_MOST_PIECES));
     o->thickness = fmin(axis[0], axis[1]);
-    o->loop_start[1] =
-        carrier_divided(o->centre, axis[0], axis[1], o->angle, 0, 2 * PI, o->piece);
+    o->loop_start[1] = carrier_divided(o->centre, axis[0], axis[1], o->angle, 0, 2 * PI, o->piece);
     TRY(finish(f));
 
 done:

@@ -82,7 +82,20 @@ static shape_spec any_shape(source *r, double *corner)
         x = any_length(r, -2, 2);
         y = any_length(r, -2, 2);
     }
-    switch (below(r, 6)) {
+    switch (below(r, 10)) {
+    case 6:
+        return an_ellipse(outer, inner, any_angle(r), x, y, material);
+    case 7:
+        s = a_rounded_rectangle(outer, inner, any_length(r, 0, fmin(outer, inner) / 2),
+                                any_angle(r), material);
+        s.rounded_rectangle.centre[0] = fixed(x);
+        s.rounded_rectangle.centre[1] = fixed(y);
+        return s;
+    case 8:
+        s = an_ellipse(inner / 4, outer / 8, any_angle(r), any_length(r, -3, 3), y, material);
+        return in_array(s, 1 + below(r, 5), any_angle(r), below(r, 3) > 0);
+    case 9:
+        return lumens_on_a_circle(outer / 10, 1 + below(r, 6), inner, any_angle(r), material);
     case 0:
         s = an_annulus(fmax(outer, inner), fmin(outer, inner), material);
         break;
@@ -104,10 +117,12 @@ static shape_spec any_shape(source *r, double *corner)
             corner[2 * i] = radius * cos(a);
             corner[2 * i + 1] = radius * sin(a);
         }
-        s = a_polygon(n, corner, material);
-        s.polygon.angle = fixed(any_angle(r));
-        s.polygon.centre[0] = fixed(x);
-        s.polygon.centre[1] = fixed(y);
+        const bool smooth = below(r, 2) == 0;
+        s = smooth ? a_spline(n, corner, material) : a_polygon(n, corner, material);
+        polygon_spec *drawn = smooth ? &s.spline : &s.polygon;
+        drawn->angle = fixed(any_angle(r));
+        drawn->centre[0] = fixed(x);
+        drawn->centre[1] = fixed(y);
         return s;
     }
     }
@@ -131,7 +146,13 @@ static void tell(int n, const shape_spec *s)
             p->called, p->material, p->centre[0], p->centre[1], p->outer, p->inner, p->mid_angle,
             p->width, p->size[0], p->size[1], p->angle);
         for (int i = 0; p->nloop > 0 && i < p->loop_start[p->nloop]; i++) {
-            printf("            %.17g %.17g\n", p->point[2 * i], p->point[2 * i + 1]);
+            double x[2];
+            if (p->kind == KIND_LOOPS) {
+                carrier_start(&p->piece[i], x);
+            } else {
+                memcpy(x, p->point + 2 * i, sizeof x);
+            }
+            printf("            %.17g %.17g\n", x[0], x[1]);
         }
     }
     section_outline_free(&o);

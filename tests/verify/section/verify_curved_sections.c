@@ -2,6 +2,7 @@
 // (Saint-Venant), and what symmetry says of lumens around a circle.
 #include "base/dense.h"
 #include "section/section.h"
+#include "tests/dxf.h"
 #include "tests/shapes.h"
 #include "tests/test.h"
 
@@ -71,9 +72,32 @@ static void lumens_around_a_circle_leave_the_section_isotropic(void)
     CHECK(mat6_relative_error(law_of(7, alone).K, law.K) < 1e-9);
 }
 
+// the prototype's section as a drawing of circles, arcs and lines, and as shapes on the same free
+// mesh
+static void a_drawing_has_the_stiffness_of_its_shapes(void)
+{
+    static dxf_paper paper;
+    shape_spec s[] = {an_annulus(4e-3, 3.2e-3, 0), a_sector(4e-3, 3.2e-3, PI, PI / 8, 1)};
+    section_case shapes = section_case_default(), drawn = shapes;
+    beam_law one = {0}, two = {0};
+    shapes.shapes = (key_list){.count = 2, .items = s};
+    shapes.mesh.size = drawn.mesh.size = 0.4e-3;
+    dxf_tube(&paper, 15);
+    CHECK_OK(dxf_open_text(paper.text, paper.count, NULL, 0, &drawn.drawing));
+    CHECK_OK(section_solve(&shapes, dxf_materials, 0, 0, &one));
+    CHECK_OK(section_solve(&drawn, dxf_materials, 0, 0, &two));
+    const double miss = mat6_relative_error(two.K, one.K);
+    const double said = one.relative_error + two.relative_error;
+    printf("drawing against shapes: K %.1e, said %.1e\n", miss, said);
+    CHECK(miss < said && said < 1e-3);
+    CHECK_NEAR(two.K.a[NZ][NZ], one.K.a[NZ][NZ], 1e-9);
+    section_case_release(&drawn);
+}
+
 int main(void)
 {
     elliptic_tubes_twist_as_they_should();
     lumens_around_a_circle_leave_the_section_isotropic();
+    a_drawing_has_the_stiffness_of_its_shapes();
     return test_failures != 0;
 }
