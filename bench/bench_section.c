@@ -8,6 +8,10 @@
 
 #include <math.h>
 
+// Two levels beyond the finest row. More layers lose more to rounding than they gain: of elements
+// 5^-5 as wide as long, 1e-9 to 1e-7 of K are rounding.
+static const mesh_options reference = {.kind = MESH_MAPPED, .order = 4, .finer = 4, .layers = 3};
+
 enum { SHORTEST_RUN_MS = 60, MOST_REPEATS = 9 };
 
 // [ms] beyond meshing
@@ -37,20 +41,24 @@ done:
     return st;
 }
 
-static status solve(int order, double size, int repeats, run *out)
+static const material materials[] = {{.E = 0.66e6, .nu = 0.3}, {.E = 15.93e6, .nu = 0.3}};
+
+static status solve(const mesh_options *options, int repeats, run *out)
 {
     status st = OK;
-    const material materials[] = {{.E = 0.66e6, .nu = 0.3}, {.E = 15.93e6, .nu = 0.3}};
     const shape_spec shapes[] = {an_annulus(4e-3, 3.2e-3, 0),
                                  a_sector(4e-3, 3.2e-3, PI, PI / 8, 1)};
+    section_outline o = {0};
     mesh m = {0};
+    TRY(shapes_at((shape_list){.count = 2, .items = shapes}, 0, &o));
     const double begin = bench_cpu_ms();
-    TRY(mesh_of(2, shapes, MESH_MAPPED, order, size, &m));
+    TRY(section_mesh_make(&o, options, &m));
     out->mesh_ms = bench_cpu_ms() - begin;
     TRY(solve_mesh(&m, materials, repeats, out));
 
 done:
     mesh_free(&m);
+    section_outline_free(&o);
     return st;
 }
 
@@ -70,24 +78,74 @@ static void note(const run *r, double error, const char *series, quickest *best)
     bench_point(series, r->full_ms, error);
 }
 
-static status table(quickest *best)
+static status row(const mesh_options *options, const beam_law *truth, const char *kind,
+                  quickest *best)
 {
     status st = OK;
-    static const double sizes_mm[] = {0.8, 0.4, 0.2, 0.1, 0};
-    run reference = {0}, r = {0};
-    char series[32];
-    TRY(solve(4, 0.05e-3, 1, &reference));
-    printf(" order  size mm   nodes      error   mesh ms   full ms   (size 0: chosen, graded)\n");
+    run r = {0};
+    char series[32], words[32];
+    TRY(solve(options, MOST_REPEATS, &r));
+    const double error = mat6_relative_error(r.law.K, truth->K);
+    if (options->size > 0) {
+        (void)snprintf(words, sizeof words, "%.2f mm", 1e3 * options->size);
+    } else {
+        (void)snprintf(words, sizeof words, "1/%.1f, +%d", options->finer, options->layers);
+    }
+    printf("%6d %11s %7d %10.2e %9.3f %9.3f\n", options->order, words, r.nnode, error, r.mesh_ms,
+           r.full_ms);
+    (void)snprintf(series, sizeof series, "order %d, %s", options->order, kind);
+    note(&r, error, series, best);
+
+done:
+    return st;
+}
+
+// edges of one length; or graded: chosen edges over a factor, and so many layers more at corners
+static status table(const beam_law *truth, quickest *best)
+{
+    status st = OK;
+    static const double sizes[] = {0.8e-3, 0.4e-3, 0.2e-3, 0.1e-3};
+    static const struct {
+        double finer;
+        int layers;
+    } graded[] = {{1, 0}, {1, 1}, {1.4, 1}, {2, 2}};
+    printf(" order       edges   nodes      error   mesh ms   full ms\n");
     for (int order = 1; order <= 4; order++) {
-        for (int i = 0; i < 5; i++) {
-            TRY(solve(order, 1e-3 * sizes_mm[i], MOST_REPEATS, &r));
-            const double error = mat6_relative_error(r.law.K, reference.law.K);
-            printf("%6d %8.2f %7d %10.2e %9.3f %9.3f\n", order, sizes_mm[i], r.nnode, error,
-                   r.mesh_ms, r.full_ms);
-            (void)snprintf(series, sizeof series, "order %d%s", order,
-                           sizes_mm[i] > 0 ? "" : ", graded");
-            note(&r, error, series, best);
+        mesh_options options = {.kind = MESH_MAPPED, .order = order};
+        for (int i = 0; i < 4; i++) {
+            options.size = sizes[i];
+            TRY(row(&options, truth, "equal", best));
         }
+        options.size = 0;
+        for (int i = 0; i < 4; i++) {
+            options.finer = graded[i].finer;
+            options.layers = graded[i].layers;
+            TRY(row(&options, truth, "graded", best));
+        }
+    }
+
+done:
+    return st;
+}
+
+// what a user of `tolerance` waits for: the search for a mesh and the estimate count too
+static status tolerances(const beam_law *truth)
+{
+    status st = OK;
+    shape_spec shapes[] = {an_annulus(4e-3, 3.2e-3, 0), a_sector(4e-3, 3.2e-3, PI, PI / 8, 1)};
+    section_case c = section_case_default();
+    c.shapes = (key_list){.count = 2, .items = shapes};
+    c.nmaterial = 2;
+    printf("tolerance   estimate      error    all ms\n");
+    for (double tolerance = 1e-3; tolerance > 3e-8; tolerance /= 10) {
+        beam_law law = {0};
+        c.tolerance = tolerance;
+        const double begin = bench_cpu_ms();
+        TRY(section_solve(&c, materials, 0, 1, &law));
+        const double spent = bench_cpu_ms() - begin;
+        const double error = mat6_relative_error(law.K, truth->K);
+        printf("%9.0e %10.2e %10.2e %9.3f\n", tolerance, law.relative_error, error, spent);
+        bench_point("tolerance, search and estimate too", spent, error);
     }
 
 done:
@@ -97,7 +155,9 @@ done:
 int main(void)
 {
     quickest best = {{INFINITY, INFINITY}};
-    if (table(&best) != OK) {
+    run truth = {0};
+    if (solve(&reference, 1, &truth) != OK || table(&truth.law, &best) != OK ||
+        tolerances(&truth.law) != OK) {
         printf("error: %s\n", status_message());
         return 1;
     }

@@ -31,17 +31,19 @@ typedef struct bar {
     double exact; // [N m^2]
 } bar;
 
-static status solve(const bar *b, int order, double size, double *GJ, double *ms, int *nnode)
+static status solve(const bar *b, const mesh_options *options, double *GJ, double *ms, int *nnode)
 {
     status st = OK;
+    section_outline o = {0};
     mesh m = {0};
     beam_law law = {0};
     beam_centres centres = {0};
     *ms = INFINITY;
+    TRY(shapes_at((shape_list){.count = 1, .items = &b->shape}, 0, &o));
     for (int i = 0; i < 3; i++) {
         mesh_free(&m);
         const double begin = bench_cpu_ms();
-        TRY(mesh_of(1, &b->shape, MESH_AUTO, order, size, &m));
+        TRY(section_mesh_make(&o, options, &m));
         TRY(section_full_mesh(&m, &unit, &law, NULL));
         TRY(beam_law_centres(&law, &centres));
         *ms = fmin(*ms, bench_cpu_ms() - begin);
@@ -51,6 +53,30 @@ static status solve(const bar *b, int order, double size, double *GJ, double *ms
 
 done:
     mesh_free(&m);
+    section_outline_free(&o);
+    return st;
+}
+
+static status row(const bar *b, const mesh_options *options, const char *kind, double wanted,
+                  double *quickest)
+{
+    status st = OK;
+    char series[48], words[32];
+    double GJ = 0, ms = 0;
+    int nnode = 0;
+    TRY(solve(b, options, &GJ, &ms, &nnode));
+    const double error = fabs(GJ / b->exact - 1);
+    if (options->size > 0) {
+        (void)snprintf(words, sizeof words, "%.3f mm", 1e3 * options->size);
+    } else {
+        (void)snprintf(words, sizeof words, "1/%.1f, +%d", options->finer, options->layers);
+    }
+    printf("%6d %11s %7d %10.2e %9.3f\n", options->order, words, nnode, error, ms);
+    (void)snprintf(series, sizeof series, "%s, order %d, %s", b->name, options->order, kind);
+    bench_point(series, ms, error);
+    *quickest = error <= wanted ? fmin(*quickest, ms) : *quickest;
+
+done:
     return st;
 }
 
@@ -58,22 +84,24 @@ done:
 static status table(const bar *b, double wanted, double *quickest)
 {
     status st = OK;
-    static const double sizes_mm[] = {0.5, 0.25, 0.125, 0};
-    char series[48];
+    static const double sizes[] = {0.5e-3, 0.25e-3, 0.125e-3};
+    static const struct {
+        double finer;
+        int layers;
+    } graded[] = {{1, 0}, {1, 1}, {1.4, 1}, {2, 2}, {2.8, 1}, {2.8, 3}};
     *quickest = INFINITY;
-    printf("%s\n order  size mm   nodes      error    CPU ms   (size 0: chosen, graded)\n",
-           b->name);
-    for (int order = 1; order <= 4; order++) {
-        for (int i = 0; i < 4; i++) {
-            double GJ = 0, ms = 0;
-            int nnode = 0;
-            TRY(solve(b, order, 1e-3 * sizes_mm[i], &GJ, &ms, &nnode));
-            const double error = fabs(GJ / b->exact - 1);
-            printf("%6d %8.3f %7d %10.2e %9.3f\n", order, sizes_mm[i], nnode, error, ms);
-            (void)snprintf(series, sizeof series, "%s, order %d%s", b->name, order,
-                           sizes_mm[i] > 0 ? "" : ", graded");
-            bench_point(series, ms, error);
-            *quickest = error <= wanted ? fmin(*quickest, ms) : *quickest;
+    printf("%s\n order       edges   nodes      error    CPU ms\n", b->name);
+    for (int order = 2; order <= 4; order++) {
+        mesh_options options = {.kind = MESH_AUTO, .order = order};
+        for (int i = 0; i < 3; i++) {
+            options.size = sizes[i];
+            TRY(row(b, &options, "equal", wanted, quickest));
+        }
+        options.size = 0;
+        for (int i = 0; i < 6; i++) {
+            options.finer = graded[i].finer;
+            options.layers = graded[i].layers;
+            TRY(row(b, &options, "graded", wanted, quickest));
         }
     }
 
