@@ -18,8 +18,11 @@ static inline double bench_cpu_ms(void)
 static inline int bench_target(const char *what, double value, double most, const char *unit)
 {
     const int fails = !(value <= most);
-    printf("%s  %s: %.3g, at most %.3g %s (x %.2g)\n", fails ? "FAIL" : "PASS", what, value, most,
-           unit, value / most);
+    printf("%s  %s: %.3g, at most %.3g %s", fails ? "FAIL" : "PASS", what, value, most, unit);
+    if (most > 0) {
+        printf(" (x %.2g)", value / most);
+    }
+    printf("\n");
     return fails;
 }
 
