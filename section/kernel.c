@@ -34,12 +34,12 @@ static void channel_at(const plane_element *e, int q, int channel, double *f)
 
 // --- products of channels
 
-// int f_a,i f_b,j for a <= b
+// int f_a,i f_b,j at i nnode + j
 typedef struct channel_products {
-    double a[CHANNELS][CHANNELS][MOST * MOST];
+    node_pairs a[CHANNELS][CHANNELS];
 } channel_products;
 
-// one point's share; of a product with itself the lower triangle
+// one point's share, for a <= b
 static void add_products(int n, int channels, double weight, double f[CHANNELS][MOST],
                          channel_products *p)
 {
@@ -51,6 +51,20 @@ static void add_products(int n, int channels, double weight, double f[CHANNELS][
                 const int end = a == b ? i + 1 : n;
                 for (int j = 0; j < end; j++) {
                     to[j] += c * g[j];
+                }
+            }
+        }
+    }
+}
+
+// what is symmetric: a product with itself, and of b and a that of a and b
+static void complete_products(int n, int channels, channel_products *p)
+{
+    for (int a = 0; a < channels; a++) {
+        for (int b = a; b < channels; b++) {
+            for (int i = 0; i < n; i++) {
+                for (int j = 0; j < (a == b ? i : n); j++) {
+                    p->a[b][a][j * n + i] = p->a[a][b][i * n + j];
                 }
             }
         }
@@ -73,6 +87,7 @@ static void multiply_channels(const plane_element *e, const double *weight, int 
         }
         add_products(n, channels, weight[q], f, p);
     }
+    complete_products(n, channels, p);
 }
 
 // --- blocks
@@ -101,47 +116,49 @@ static void join_channels(const channel_strains *s, const mat6 *Q, channel_stiff
     }
 }
 
-static void add_scaled(double c, const double *from, double *to)
+// Most of H is zero where no material couples much.
+static void add_scaled(int n, double c, const double *from, double *to)
 {
-    for (int k = 0; k < 9; k++) {
+    for (int k = 0; c != 0 && k < n * n; k++) {
         to[k] += c * from[k];
     }
 }
 
-// int f_a,i f_b,j
-static double product(const channel_products *p, int n, int a, int b, int i, int j)
-{
-    if (a == b) {
-        return p->a[a][a][i > j ? i * n + j : j * n + i];
-    }
-    return a < b ? p->a[a][b][i * n + j] : p->a[b][a][j * n + i];
-}
-
 // (3.12): with N_i strains_TURNING added as an imaginary part to a node's strains
-static void add_wave(const channel_products *p, const channel_stiffness *H, int n, int i, int j,
+static void add_wave(const channel_products *p, const channel_stiffness *H, int n, int entry,
                      element_blocks *blocks)
 {
-    double *real = blocks->wave[0][i * n + j], *imaginary = blocks->wave[1][i * n + j];
-    add_scaled(product(p, n, VALUE, VALUE, i, j), H->a[TURNING][TURNING], real);
+    double *real = blocks->wave[0][entry], *imaginary = blocks->wave[1][entry];
+    add_scaled(n, H->a[TURNING][TURNING][entry], p->a[VALUE][VALUE], real);
     for (int c = 0; c < CHANNELS; c++) {
-        add_scaled(product(p, n, c, VALUE, i, j), H->a[c][TURNING], imaginary);
-        add_scaled(-product(p, n, VALUE, c, i, j), H->a[TURNING][c], imaginary);
+        add_scaled(n, H->a[c][TURNING][entry], p->a[c][VALUE], imaginary);
+        add_scaled(n, -H->a[TURNING][c][entry], p->a[VALUE][c], imaginary);
     }
 }
 
 static void add_blocks(const channel_products *p, const channel_stiffness *H, int channels, int n,
                        element_blocks *blocks)
 {
-    for (int i = 0; i < n; i++) {
-        for (int j = 0; j <= i; j++) {
-            for (int a = 0; a < channels; a++) {
-                for (int b = 0; b < channels; b++) {
-                    add_scaled(product(p, n, a, b, i, j), H->a[a][b], blocks->E[i * n + j]);
-                }
+    for (int entry = 0; entry < 9; entry++) {
+        for (int a = 0; a < channels; a++) {
+            for (int b = 0; b < channels; b++) {
+                add_scaled(n, H->a[a][b][entry], p->a[a][b], blocks->E[entry]);
             }
-            if (channels > VALUE) {
-                add_wave(p, H, n, i, j, blocks);
-            }
+        }
+        if (channels > VALUE) {
+            add_wave(p, H, n, entry, blocks);
+        }
+    }
+}
+
+static void clear_blocks(int n, int channels, element_blocks *blocks)
+{
+    const size_t size = (size_t)(n * n) * sizeof(double);
+    for (int entry = 0; entry < 9; entry++) {
+        memset(blocks->E[entry], 0, size);
+        if (channels > VALUE) {
+            memset(blocks->wave[0][entry], 0, size);
+            memset(blocks->wave[1][entry], 0, size);
         }
     }
 }
@@ -152,11 +169,7 @@ void kernel_blocks(const matter *m, const plane *p, const plane_element *e, matt
     const int n = e->nnode, run = at->law->polar ? 1 : e->npoint;
     channel_products products;
     channel_stiffness H;
-    memset(blocks->E, 0, (size_t)(n * n) * sizeof *blocks->E);
-    if (s->count > VALUE) {
-        memset(blocks->wave[0], 0, (size_t)(n * n) * sizeof *blocks->wave[0]);
-        memset(blocks->wave[1], 0, (size_t)(n * n) * sizeof *blocks->wave[1]);
-    }
+    clear_blocks(n, s->count, blocks);
     for (int q = 0; q < e->npoint; q += run) {
         join_channels(s, matter_stiffness(m, p, e, q, at), &H);
         multiply_channels(e, at->weight, q, q + run, s->count, &products);

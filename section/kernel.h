@@ -18,14 +18,16 @@ typedef struct channel_strains {
 
 channel_strains channel_strains_make(double k);
 
-// [nnode * nnode] 3x3 blocks by rows, i nnode + j with i >= j: rows belong to node i, columns to
-// node j
+// Entries [3 row + column] of the nodes' 3x3 blocks, each [nnode * nnode] at i nnode + j: rows
+// belong to node i, columns to node j.
+typedef double node_pairs[ELEMENT_MAX_PLANE_NODES * ELEMENT_MAX_PLANE_NODES];
+
 typedef struct element_blocks {
-    double E[ELEMENT_MAX_PLANE_NODES * ELEMENT_MAX_PLANE_NODES][9];
+    node_pairs E[9];
     // P = E + wave[0] + i wave[1], of a field that varies as exp(i k z); only where k != 0
-    double wave[2][ELEMENT_MAX_PLANE_NODES * ELEMENT_MAX_PLANE_NODES][9];
+    node_pairs wave[2][9];
 } element_blocks;
 
-// `blocks` is overwritten, for i >= j.
+// `blocks` is overwritten.
 void kernel_blocks(const matter *m, const plane *p, const plane_element *e, matter_element *at,
                    const channel_strains *s, element_blocks *blocks);

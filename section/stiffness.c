@@ -3,6 +3,7 @@
 #include "base/memory.h"
 #include "section/node_graph.h"
 
+#include <limits.h>
 #include <math.h>
 #include <string.h>
 
@@ -91,6 +92,19 @@ done:
     return st;
 }
 
+// Entries are counted in ints: ten million nodes, of which the factors would need 100 GB.
+static status check_size(const mesh *m)
+{
+    double most = 0;
+    for (int b = 0; b < m->nblock; b++) {
+        const double n = m->block[b].per_elem;
+        most += m->block[b].nelem * (n * (n + 1) / 2);
+    }
+    return 9 * most < INT_MAX
+               ? OK
+               : status_fail(ERR_RESOURCE, "section: a mesh of %d nodes is too large", m->nnode);
+}
+
 status stiffness_make(const mesh *m, bool split, bool turning, stiffness *out)
 {
     status st = OK;
@@ -98,6 +112,7 @@ status stiffness_make(const mesh *m, bool split, bool turning, stiffness *out)
     stiffness s = {.nnode = n, .npart = split ? 2 : 1};
     s.part[0] = (stiffness_part){.first = 0, .width = split ? 2 : 3};
     s.part[1] = (stiffness_part){.first = 2, .width = 1, .begin = 2 * n};
+    TRY(check_size(m));
     TRY(rank_nodes(m, &s.rank));
     TRY(node_graph_make(m, s.rank, &s.graph));
     for (int k = 0; k < s.npart; k++) {
@@ -114,19 +129,10 @@ done:
 
 // --- values
 
-// Entry (r, a) of the block of local nodes i and j, of which only i >= j is kept: else that of its
-// transpose.
-static double entry(const double (*block)[9], int n, int i, int j, int r, int a)
+static void add_wave(const element_blocks *blocks, int pair, int entry, double *to)
 {
-    return i >= j ? block[i * n + j][3 * r + a] : block[j * n + i][3 * a + r];
-}
-
-static void add_wave(const element_blocks *blocks, int n, int i, int j, int r, int a, double *to)
-{
-    to[0] += entry(blocks->E, n, i, j, r, a) + entry(blocks->wave[0], n, i, j, r, a);
-    if (i != j || r != a) { // a Hermitian diagonal is real, not real to rounding
-        to[1] += (i >= j ? 1 : -1) * entry(blocks->wave[1], n, i, j, r, a);
-    }
+    to[0] += blocks->E[entry][pair] + blocks->wave[0][entry][pair];
+    to[1] += blocks->wave[1][entry][pair];
 }
 
 // the column of local node j; number: [nnode] of the element's nodes
@@ -142,9 +148,10 @@ static void add_column(stiffness *s, const stiffness_part *part, const int *numb
             }
             for (int r = i == j ? a : 0; r < width; r++) {
                 const int at = start + width * s->where[number[i]] + r - a;
-                part->E.value[at] += entry(blocks->E, n, i, j, first + r, first + a);
+                const int entry = 3 * (first + r) + first + a;
+                part->E.value[at] += blocks->E[entry][i * n + j];
                 if (part->P.value) {
-                    add_wave(blocks, n, i, j, r, a, part->P.value + 2 * (size_t)at);
+                    add_wave(blocks, i * n + j, entry, part->P.value + 2 * (size_t)at);
                 }
             }
         }
@@ -211,6 +218,9 @@ static void pin_part(const stiffness_part *part, const stiffness_pins *pins)
     const sparse_lower *m = &part->E;
     for (int j = 0; j < m->n; j++) {
         const bool column = is_pinned(pins, part->begin + j);
+        if (part->P.value) { // a Hermitian diagonal is real, not real to rounding
+            part->P.value[2 * (size_t)m->start[j] + 1] = 0;
+        }
         for (int k = m->start[j]; k < m->start[j + 1]; k++) {
             if (m->row[k] == j || (!column && !is_pinned(pins, part->begin + m->row[k]))) {
                 continue;
