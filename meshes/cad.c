@@ -46,6 +46,7 @@ static int list_parts(void *answer, child_part out[CHILD_MOST_PARTS])
     const child_part all[] = {
         {(void **)&p->body, p->nbody, sizeof *p->body},
         {(void **)&p->xyz, 3 * (int64_t)p->nnode, sizeof *p->xyz},
+        {(void **)&p->exact, p->nexact, sizeof *p->exact},
         {(void **)&p->sides, p->nelem, sizeof *p->sides},
         {(void **)&p->body_of, p->nelem, sizeof *p->body_of},
         {(void **)&p->conn, p->nconn, sizeof *p->conn},
@@ -224,6 +225,10 @@ static status to_raw(const cad_source *s, const cad_pieces *p, raw_mesh *r)
     TRY(TAKE(r->elem, (size_t)p->nelem));
     TRY(TAKE(r->conn, (size_t)p->nconn));
     memcpy(r->xyz, p->xyz, 3 * (size_t)p->nnode * sizeof *r->xyz);
+    if (p->nexact == 3 * p->nnode) {
+        TRY(TAKE(r->exact, (size_t)p->nexact));
+        memcpy(r->exact, p->exact, (size_t)p->nexact * sizeof *r->exact);
+    }
     for (int i = 0; i < p->nnode; i++) {
         r->node_id[i] = i + 1;
     }

@@ -33,7 +33,10 @@ typedef struct cad_pieces {
     cad_body *body;
     int order;
     int nnode;
-    double *xyz; // [nnode][3] in the section's axes, the file's unit
+    double *xyz;   // [nnode][3] in the section's axes, the file's unit
+    int nexact;    // 3 nnode, or 0
+    double *exact; // [nnode][3] where nodes of edges on curves are, were they Gauss-Lobatto points;
+                   // NaN for others
     int nelem, nconn;
     int *sides;   // [nelem] 3 or 4
     int *body_of; // [nelem]

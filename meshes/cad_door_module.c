@@ -49,6 +49,16 @@ done:
 
 // --- elements out
 
+void cad_to_section(const cad_request *r, const double *x, double *out)
+{
+    for (int d = 0; d < 3; d++) {
+        out[d] = 0;
+        for (int k = 0; k < 3; k++) {
+            out[d] += r->turn[d][k] * (x[k] - r->place[k]);
+        }
+    }
+}
+
 static status take_nodes(const cad_request *r, cad_pieces *out, int **index, size_t *nindex)
 {
     status st = OK;
@@ -67,13 +77,10 @@ static status take_nodes(const cad_request *r, cad_pieces *out, int **index, siz
     TRY(TAKE(out->xyz, 3 * ntag));
     for (size_t i = 0; i < ntag; i++) {
         (*index)[tags[i]] = (int)i;
-        for (int d = 0; d < 3; d++) {
-            for (int k = 0; k < 3; k++) {
-                out->xyz[3 * i + (size_t)d] += r->turn[d][k] * (x[3 * i + (size_t)k] - r->place[k]);
-            }
-        }
+        cad_to_section(r, x + 3 * i, out->xyz + 3 * i);
     }
     out->nnode = (int)ntag;
+    TRY(cad_place_on_curves(r, *index, *nindex, out));
 
 done:
     gmshFree(tags);

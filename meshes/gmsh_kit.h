@@ -28,3 +28,10 @@ status cad_cut_step(const cad_request *request, cad_pieces *out, int *nface, int
 
 // How finely these faces and their edges are divided.
 status cad_set_sizes(const cad_request *request, int nface, const int *face);
+
+// A place of the file, in the section's axes.
+void cad_to_section(const cad_request *request, const double *x, double *out);
+
+// out->exact: places on the curves; index: [nindex] nodes by gmsh's tags.
+status cad_place_on_curves(const cad_request *request, const int *index, size_t nindex,
+                           cad_pieces *out);

@@ -11,6 +11,7 @@
 void raw_mesh_free(raw_mesh *r)
 {
     free(r->xyz);
+    free(r->exact);
     free(r->node_id);
     free(r->elem);
     free(r->conn);
@@ -168,6 +169,14 @@ static void put(finish *f, int node, int n, const int *from, const double *weigh
     f->placed[node] = true;
 }
 
+static void put_exact(finish *f, int node)
+{
+    const double *x = f->r->exact ? f->r->exact + 3 * (size_t)node : NULL;
+    for (int d = 0; x && isfinite(x[0] + x[1]) && d < 2; d++) {
+        f->m.xyz[3 * (size_t)f->number[node] + (size_t)d] = x[d] * f->r->unit;
+    }
+}
+
 // Up to order 2 the nodes are the same. Above, those of an edge follow from the edge's alone, and
 // only the first element that has it places them: neighbours stay together to the last bit.
 static void place_edges(finish *f, shape shape, const int *node)
@@ -187,6 +196,7 @@ static void place_edges(finish *f, shape shape, const int *node)
         for (int t = 0; t <= p; t++) {
             if (!f->placed[line[t]]) {
                 put(f, line[t], p + 1, line, kind_of(f, shape)->edge[t]);
+                put_exact(f, line[t]);
             }
         }
     }

@@ -22,9 +22,11 @@ typedef struct raw_element {
 typedef struct raw_mesh {
     const input_file *file; // for messages
     int order;
-    double unit;      // of xyz [m]
-    int nnode;        // some may be unused
-    double *xyz;      // [nnode][3], in `unit`
+    double unit;   // of xyz [m]
+    int nnode;     // some may be unused
+    double *xyz;   // [nnode][3], in `unit`
+    double *exact; // [nnode][3] our places of nodes of edges where they are known, else NaN; NULL:
+                   // nowhere
     int64_t *node_id; // [nnode] the file's names
     int nelem;
     raw_element *elem; // [nelem]

@@ -55,7 +55,8 @@ expect 2 "$program" section "$work/case.yaml" --json
 err '--allow-scripts'
 one_line
 expect 0 "$program" section "$work/case.yaml" --json --allow-scripts
-alike "$(stiffness)" "$mesh" 1e-9
+# its nodes lie on the arcs; the file has them equally spaced on the polynomials through arcs of pi / 4: a^6 / 194000
+alike "$(stiffness)" "$mesh" 1e-5
 
 # content counts, not names
 printf '#!/bin/sh\ntouch %s\n' "$witness" >"$work/a.msh"
