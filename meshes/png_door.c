@@ -38,6 +38,7 @@ static void give_bytes(png_structp png, png_bytep out, size_t count)
 {
     reader *r = png_get_io_ptr(png);
     if (count > r->count - r->at) {
+        r->at = r->count;
         png_error(png, "the file ends early");
     }
     memcpy(out, r->bytes + r->at, count);
