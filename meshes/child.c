@@ -161,8 +161,9 @@ static status ending(const child_job *job, int how, bool late)
         return status_fail(ERR_RESOURCE, "%s was stopped after %d s", job->what, job->seconds);
     }
     if (signal_number) {
-        return status_fail(job->when_killed, "%s crashed on it, signal %d", job->what,
-                           signal_number);
+        return status_fail(
+            job->when_killed, "%s crashed on it, signal %d%s", job->what, signal_number,
+            job->when_killed == ERR_FILE ? ": it is damaged, or holds what is not supported" : "");
     }
     return status_fail(job->when_killed, "%s ended without an answer", job->what);
 }

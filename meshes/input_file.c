@@ -19,12 +19,30 @@ void input_file_free(input_file *f)
     *f = (input_file){0};
 }
 
-// without what would break a line or a terminal
+// bytes of the UTF-8 character at `c`, 0 where there is none
+static int character(const unsigned char *c)
+{
+    const int n = c[0] < 0x80 ? 1 : c[0] >= 0xf0 && c[0] < 0xf5 ? 4 : c[0] >= 0xe0 ? 3 : 2;
+    if (n > 1 && (c[0] < 0xc2 || c[0] >= 0xf5)) {
+        return 0;
+    }
+    for (int i = 1; i < n; i++) {
+        if ((c[i] & 0xc0) != 0x80) {
+            return 0;
+        }
+    }
+    return n;
+}
+
+// without what would break a line, a terminal or a text in UTF-8
 static void flatten(char *words)
 {
-    for (; *words; words++) {
+    for (int n = 1; *words; words += n > 0 ? n : 1) {
         const unsigned char byte = (unsigned char)*words;
-        *words = (char)(byte < 32 || byte == 127 ? '?' : byte);
+        n = character((const unsigned char *)words);
+        if (n == 0 || byte < 32 || byte == 127) {
+            *words = '?';
+        }
     }
 }
 

@@ -77,8 +77,8 @@ static void a_message_is_one_line_whatever_it_quotes(void)
     put("c\nd", "", 0);
     CHECK_OK(take(folder, "c\nd", 5, &f));
     status_clear();
-    CHECK(input_file_fail(&f, 12, "unknown '%s'", "x\ny\x1b[0m") == ERR_FILE);
-    CHECK(strstr(status_message(), "c?d:12: unknown 'x?y?[0m'") != NULL);
+    CHECK(input_file_fail(&f, 12, "unknown '%s'", "x\ny\x1b[0m\xff\xc3\xa4\xc3") == ERR_FILE);
+    CHECK(strstr(status_message(), "c?d:12: unknown 'x?y?[0m?\xc3\xa4?'") != NULL);
     input_file_free(&f);
 }
 
