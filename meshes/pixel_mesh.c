@@ -8,6 +8,10 @@
 
 #include <math.h>
 
+// How many squares the image's longer side has at least where the case gives no size: elements of
+// order 2 on fewer are worse than most images.
+enum { LEAST_ACROSS = 16 };
+
 // the finest raster that a small mesh size may ask for
 static const double most_fine_pixels = 1 << 24;
 
@@ -232,8 +236,11 @@ static status choose_sizes(const pixel_image *p, const mesh_options *options, in
 {
     const double pitch = fmax(p->pitch[0], p->pitch[1]);
     *factor = 1;
-    *top = 30;
+    *top = 0;
     if (!(options->size > 0)) {
+        while (2 << *top <= (p->n[0] > p->n[1] ? p->n[0] : p->n[1]) / LEAST_ACROSS) {
+            ++*top;
+        }
         return OK;
     }
     const double parts = ceil(pitch / options->size * (1 - 1e-9));
@@ -243,7 +250,7 @@ static status choose_sizes(const pixel_image *p, const mesh_options *options, in
                               options->size, p->n[0], p->n[1], pitch);
     }
     *factor = (int)parts;
-    *top = (int)fmax(0, floor(log2(options->size * (1 + 1e-9) * parts / pitch)));
+    *top = (int)fmin(30, floor(log2(options->size * (1 + 1e-9) * parts / pitch)));
     return OK;
 }
 

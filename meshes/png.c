@@ -8,12 +8,16 @@
 #include "meshes/png_names.h"
 #include "meshes/png_parts.h"
 
+#include <math.h>
 #include <stdint.h>
 #include <string.h>
 
 // A file holds at most as much as its pixels uncompressed; a stack's different slices together
 // need this much memory at most.
 enum { MOST_FILE_BYTES = 1 << 27 };
+// Stiffness matrices of longer elements lose their digits.
+static const double longest_pixel = 100;
+static const double same_ratio = 1 + 1e-12;
 static const size_t most_run_bytes = (size_t)1 << 30;
 
 // as many pixels of one material, row by row
@@ -195,6 +199,18 @@ done:
     return st;
 }
 
+static status check_pitch(const png_spec *spec)
+{
+    const double ratio = spec->pitch[0] / spec->pitch[1];
+    if (!(fmax(ratio, 1 / ratio) <= longest_pixel * same_ratio)) {
+        return status_fail_at(ERR_INPUT, spec->at.line, spec->at.column,
+                              "png: pixels of %g x %g m make no elements: one side is more than "
+                              "%g times the other",
+                              spec->pitch[0], spec->pitch[1], longest_pixel);
+    }
+    return OK;
+}
+
 static status png_open(const drawing_files *files, const drawing_request *request, void **state)
 {
     status st = OK;
@@ -203,6 +219,7 @@ static status png_open(const drawing_files *files, const drawing_request *reques
 
     TRY(TAKE(s, 1));
     s->spec = files->png;
+    TRY(check_pitch(&s->spec));
     TRY(png_names_find(&s->spec, request->directory, &s->names));
     TRY(png_parts_make(&s->spec, request, &parts));
     TRY(TAKE(s->of, (size_t)s->names.count));

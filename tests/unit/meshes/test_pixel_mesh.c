@@ -169,15 +169,18 @@ static void elements_grow_away_from_boundaries(void)
     CHECK_OK(pixel_image_make(256, 256, (const double[2]){1, 1}, &p));
     memset(p.at, 0, (size_t)256 * 256 * sizeof *p.at);
     mesh m = {0};
-    CHECK_OK(pixel_mesh_make(&p, &(mesh_options){.order = 1}, false, &m));
+    CHECK_OK(pixel_mesh_make(&p, &(mesh_options){.order = 1, .size = 1e9}, false, &m));
     CHECK(mesh_element_count(&m) == 4); // quarters about the centre
     mesh_free(&m);
-    CHECK_OK(pixel_mesh_make(&p, &(mesh_options){.order = 1, .size = 16}, false, &m));
-    CHECK(mesh_element_count(&m) == 256);
+    CHECK_OK(pixel_mesh_make(&p, &(mesh_options){.order = 1}, false, &m));
+    CHECK(mesh_element_count(&m) == 256); // sixteen across
+    mesh_free(&m);
+    CHECK_OK(pixel_mesh_make(&p, &(mesh_options){.order = 1, .size = 8}, false, &m));
+    CHECK(mesh_element_count(&m) == 1024);
     mesh_free(&m);
     p.at[100 * 256 + 77] = 1;
     CHECK_OK(pixel_mesh_make(&p, &(mesh_options){.order = 1}, false, &m));
-    CHECK(mesh_element_count(&m) > 50 && mesh_element_count(&m) < 300);
+    CHECK(mesh_element_count(&m) > 256 && mesh_element_count(&m) < 512);
     CHECK_NEAR(mesh_boundary(&m), 4 * 256, 1e-12);
     mesh_free(&m);
     pixel_image_free(&p);

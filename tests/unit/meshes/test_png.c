@@ -227,6 +227,16 @@ static void images_that_make_no_section_are_refused(void)
     CHECK(rmdir(f.name) == 0);
 }
 
+static void pixels_must_not_be_needles(void)
+{
+    const folder f = make_folder();
+    drawing_files files = file_named("x.png");
+    drawing *d = NULL;
+    files.png.pitch[1] = 1e-6;
+    CHECK(refused(open_in(&f, &files, &d), ERR_INPUT, "more than 100 times"));
+    CHECK(rmdir(f.name) == 0);
+}
+
 static void parts_are_checked(void)
 {
     const folder f = make_folder();
@@ -335,6 +345,7 @@ int main(void)
     every_layout_becomes_eight_bit_colours();
     what_is_no_image_is_refused_with_one_line();
     images_that_make_no_section_are_refused();
+    pixels_must_not_be_needles();
     parts_are_checked();
     equal_slices_of_a_stack_are_named_by_the_first();
     names_of_stacks_hold_one_number_and_nothing_else();
