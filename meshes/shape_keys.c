@@ -108,15 +108,19 @@ static const key_table rectangle_keys = {.name = "rectangle",
                                          .keys = rectangle_key_list,
                                          .about = "a rectangle about its centre"};
 
-#define POINTS_KEY(type)                                                                           \
+#define POINTS_KEY(type, words)                                                                    \
     {                                                                                              \
         .name = "points", .kind = KEY_ROWS, .dimension = DIM_LENGTH, .min = -LARGEST_LENGTH,       \
         .max = LARGEST_LENGTH, .count = 2, .max_count = MOST_POINTS, .required = true,             \
-        .offset = offsetof(type, points),                                                          \
-        .about = "corners [x, y] in order, either sense; the last joins the first"                 \
+        .offset = offsetof(type, points), .about = words                                           \
     }
 
-static const key hole_key_list[] = {POINTS_KEY(hole_spec)};
+static const char corner_words[] =
+    "corners [x, y] in order, either sense; the last joins the first";
+static const char point_words[] =
+    "points [x, y] in order, either sense, that a smooth closed curve goes through";
+
+static const key hole_key_list[] = {POINTS_KEY(hole_spec, corner_words)};
 
 static const key_table hole_keys = {.name = "hole",
                                     .size = sizeof(hole_spec),
@@ -125,7 +129,7 @@ static const key_table hole_keys = {.name = "hole",
                                     .about = "a polygonal hole, inside its polygon"};
 
 static const key polygon_key_list[] = {
-    POINTS_KEY(polygon_spec),
+    POINTS_KEY(polygon_spec, corner_words),
     {.name = "holes",
      .kind = KEY_LIST,
      .max_count = MOST_HOLES,
@@ -177,7 +181,7 @@ static const key_table rounded_rectangle_keys = {
     .keys = rounded_key_list,
     .about = "a rectangle with round corners, about its centre"};
 
-static const key spline_hole_key_list[] = {POINTS_KEY(hole_spec)};
+static const key spline_hole_key_list[] = {POINTS_KEY(hole_spec, point_words)};
 
 static const key_table spline_hole_keys = {.name = "spline hole",
                                            .size = sizeof(hole_spec),
@@ -186,16 +190,7 @@ static const key_table spline_hole_keys = {.name = "spline hole",
                                            .about = "a smooth hole, inside its spline"};
 
 static const key spline_key_list[] = {
-    {.name = "points",
-     .kind = KEY_ROWS,
-     .dimension = DIM_LENGTH,
-     .min = -LARGEST_LENGTH,
-     .max = LARGEST_LENGTH,
-     .count = 2,
-     .max_count = MOST_POINTS,
-     .required = true,
-     .offset = offsetof(polygon_spec, points),
-     .about = "points [x, y] in order, either sense, that a smooth closed curve goes through"},
+    POINTS_KEY(polygon_spec, point_words),
     {.name = "holes",
      .kind = KEY_LIST,
      .max_count = MOST_HOLES,

@@ -22,7 +22,7 @@ foreign='yaml.h io/yaml_door.c
 muParserDLL.h io/expression.c
 hdf5.h io/hdf5_door_module.c
 png.h meshes/png_door.c
-gmshc.h meshes/(gmsh|cad|cad_cut|cad_sizes|cad_curves)_door_module.c
+gmshc.h meshes/(gmsh|gmsh_sides|cad|cad_cut|cad_sizes|cad_curves)_door_module.c
 cholmod.h section/cholmod_door.c
 omp.h section/cholmod_door.c
 petsc fem/petsc_door_module.c
