@@ -45,6 +45,7 @@ static status write_station(json *j, const run_result *r, int station)
     json_reals(j, "shear_centre_m", 2, c->shear_centre);
     json_mat6(j, "K", s->law.K);
     json_real(j, "relative_error", s->law.relative_error);
+    json_mat6(j, "K_relative_error", s->law.entry_error);
     const status st = json_station_answers(j, r, station);
     json_object_end(j);
     return st;

@@ -12,6 +12,7 @@ static status pass_stations(const passage *p, run_result *r)
         {"area_m2", COLUMN_POSITIVE, "m^2", STATION(law.area), 0, {0}, 0},
         {"K", COLUMN_REAL, STIFFNESS_UNIT, STATION(law.K), 2, {6, 6}, 0},
         {"relative_error", COLUMN_ANY, "-", STATION(law.relative_error), 0, {0}, 0},
+        {"K_relative_error", COLUMN_ANY, "-", STATION(law.entry_error), 2, {6, 6}, 0},
         {"EA_N", COLUMN_POSITIVE, "N", STATION(centres.EA), 0, {0}, 0},
         {"stiffness_centre_m", COLUMN_REAL, "m", STATION(centres.stiffness_centre), 1, {2}, 0},
         {"EI_centre_Nm2", COLUMN_REAL, "N m^2", STATION(centres.EI_centre), 1, {3}, 0},

@@ -112,6 +112,8 @@ static void the_store_gives_it_all_back(const run_result *r, const char *dir)
     (void)snprintf(path, sizeof path, "%s/result.hdf", dir);
     CHECK_OK(result_store_write(r, path));
     CHECK_OK(result_store_read(path, &back));
+    CHECK(same(sizeof(mat6), &r->section.station[0].law.entry_error,
+               &back.section.station[0].law.entry_error));
     CHECK(back.nanswer == 1 && back.npoint == 1 && back.point[0][1] == 2e-3);
     if (back.nanswer == 1) {
         const section_answers *a = &r->answer[0], *b = &back.answer[0];
@@ -146,7 +148,7 @@ static void documents_have_the_keys(run_result *r)
         "geometric_centre_m", "mass_centre_m",       "mass_kg_per_m",  "mass_matrix",
         "shear_stiffness_N",  "shear_angle_rad",     "EI_warping_Nm4", "kern_m",
         "K_principal",        "turn_rate_rad_per_m", "points",         "wrenches",
-        "von_mises_Pa",       "largest_strain",      "linear_strain"};
+        "K_relative_error",   "von_mises_Pa",        "largest_strain", "linear_strain"};
     char *text = document_of(r);
     for (size_t i = 0; i < sizeof keys / sizeof *keys; i++) {
         CHECK(strstr(text, keys[i]));
