@@ -94,10 +94,17 @@ done:
 
 status store_pass_section(const passage *p, run_result *r)
 {
+#define EFFORT(member) offsetof(run_result, section.effort.member)
     static const column columns[] = {
         {"model", COLUMN_INT, "-", offsetof(run_result, section_model), 0, {0}, MODEL_CLASSICAL},
-        {"meshed", COLUMN_FLAG, "-", offsetof(run_result, section.effort.meshed), 0, {0}, 0},
-        {"solved", COLUMN_INT, "-", offsetof(run_result, section.effort.nsolved), 0, {0}, INT_MAX},
+        {"meshed", COLUMN_FLAG, "-", EFFORT(meshed), 0, {0}, 0},
+        {"solved", COLUMN_INT, "-", EFFORT(nsolved), 0, {0}, INT_MAX},
+        {"same", COLUMN_INT, "-", EFFORT(nsame), 0, {0}, INT_MAX},
+        {"turned", COLUMN_INT, "-", EFFORT(nturned), 0, {0}, INT_MAX},
+        {"scaled", COLUMN_INT, "-", EFFORT(nscaled), 0, {0}, INT_MAX},
+        {"mirrored", COLUMN_INT, "-", EFFORT(nmirrored), 0, {0}, INT_MAX},
+        {"recalled", COLUMN_INT, "-", EFFORT(nstored), 0, {0}, INT_MAX},
+        {"uneven", COLUMN_FLAG, "-", EFFORT(uneven), 0, {0}, 0},
         {"pixel_relative_error",
          COLUMN_ANY,
          "-",
@@ -107,6 +114,7 @@ status store_pass_section(const passage *p, run_result *r)
          0},
         {"symmetry_turn_rad", COLUMN_REAL, "rad", offsetof(run_result, symmetry_turn), 0, {0}, 0},
     };
+#undef EFFORT
     status st = OK;
     TRY(passage_columns(p, "section", COUNT_OF(columns), columns, single(r)));
     TRY(pass_stations(p, r));
