@@ -20,6 +20,8 @@ echo "$printed $(tip)" | awk '
 expect 0 "$program" section "$stack/voxel_stack.yaml" --set section.model=classical
 out '24 sections solved'
 out 'pixels twice as wide'
+expect 0 "$program" compare "$stack/voxel_stack.yaml"
+out 'jumps from slice to slice'
 
 cp "$stack"/*.png "$stack/voxel_stack.yaml" "$work"
 printf '#!/bin/sh\ntouch "%s/ran"\n' "$work" >"$work/slice_07.png"
