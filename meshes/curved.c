@@ -66,10 +66,30 @@ done:
     return st;
 }
 
+// far from all of the curve: most of them, without a look at it
+static bool is_far(const carrier *c, const double *x)
+{
+    for (int k = 0; k < 2; k++) {
+        double low = x[k], high = x[k];
+        if (c->kind == CARRIER_ELLIPSE) {
+            const double reach = fabs(c->p[1][k]) + fabs(c->p[2][k]);
+            low = c->p[0][k] - reach;
+            high = c->p[0][k] + reach;
+        } else if (c->kind == CARRIER_CUBIC) {
+            low = fmin(fmin(c->p[0][k], c->p[1][k]), fmin(c->p[2][k], c->p[3][k]));
+            high = fmax(fmax(c->p[0][k], c->p[1][k]), fmax(c->p[2][k], c->p[3][k]));
+        }
+        if (x[k] < low - OWN_CURVE || x[k] > high + OWN_CURVE) {
+            return true;
+        }
+    }
+    return false;
+}
+
 // largest distance of the points from a carrier, or more than `enough`
 static double distance_of(const double *probe, const carrier *c, double enough)
 {
-    double off = 0, t;
+    double off = is_far(c, probe + 2 * (CURVE_PROBES / 2)) ? enough : 0, t;
     // the middle first: it tells most of them apart
     for (int i = 0; i < CURVE_PROBES && off < enough; i++) {
         const int k = (i + CURVE_PROBES / 2) % CURVE_PROBES;

@@ -99,11 +99,30 @@ int loop_self_contact(loop a, double gap, int *other)
     return -1;
 }
 
+// the corners' smallest and largest x and y
+static void box_of(loop a, double low[2], double high[2])
+{
+    for (int d = 0; d < 2; d++) {
+        low[d] = INFINITY;
+        high[d] = -INFINITY;
+        for (int i = 0; i < a.n; i++) {
+            low[d] = a.p[2 * i + d] < low[d] ? a.p[2 * i + d] : low[d];
+            high[d] = a.p[2 * i + d] > high[d] ? a.p[2 * i + d] : high[d];
+        }
+    }
+}
+
 bool loops_touch(loop a, loop b, double gap)
 {
+    double low[2], high[2];
+    box_of(b, low, high);
     for (int i = 0; i < a.n; i++) {
+        const double *p = corner(a, i), *q = corner(a, i + 1);
+        if (apart(p[0], q[0], low[0], high[0], gap) || apart(p[1], q[1], low[1], high[1], gap)) {
+            continue;
+        }
         for (int j = 0; j < b.n; j++) {
-            if (edges_touch(corner(a, i), corner(a, i + 1), corner(b, j), corner(b, j + 1), gap)) {
+            if (edges_touch(p, q, corner(b, j), corner(b, j + 1), gap)) {
                 return true;
             }
         }
