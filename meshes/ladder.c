@@ -20,14 +20,15 @@ void ladder_free(ladder *l)
 }
 
 // distances from a break at which layers end, none beyond `room`; *next is the length to go on with
-static int layers(double finest, double target, double room, double *at, double *next)
+static int layers(double finest, double target, double growth, double room, double *at,
+                  double *next)
 {
     int n = 0;
     double x = 0, step = finest > 0 ? finest : target;
     while (step < target && x + step < room && n < MOST_LAYERS) {
         x += step;
         at[n++] = x;
-        step *= SIZING_GROWTH;
+        step *= growth;
     }
     *next = step;
     return n;
@@ -40,15 +41,15 @@ typedef struct interval {
     double nmiddle; // equal elements between the layers
 } interval;
 
-static interval plan(double from, double to, const double *finest, double target)
+static interval plan(double from, double to, const double *finest, double target, double growth)
 {
     interval v = {.from = from, .to = to};
     // layers leave a third to the middle
     const bool both = finest[0] > 0 && finest[1] > 0;
     const double room = (to - from) * (both ? 1.0 / 3 : 2.0 / 3);
     double next[2];
-    v.nlow = layers(finest[0], target, room, v.low, &next[0]);
-    v.nhigh = layers(finest[1], target, room, v.high, &next[1]);
+    v.nlow = layers(finest[0], target, growth, room, v.low, &next[0]);
+    v.nhigh = layers(finest[1], target, growth, room, v.high, &next[1]);
     const double below = v.nlow ? v.low[v.nlow - 1] : 0, above = v.nhigh ? v.high[v.nhigh - 1] : 0;
     v.nmiddle = sizing_parts(to - from - below - above, fmin(target, fmin(next[0], next[1])));
     return v;
@@ -76,14 +77,15 @@ static void fill(const interval *v, int cell, ladder *l)
     }
 }
 
-status ladder_make(int ncell, const double *at, const double *finest, double target, ladder *out)
+status ladder_make(int ncell, const double *at, const double *finest, double target, double growth,
+                   ladder *out)
 {
     status st = OK;
     ladder l = {0};
     double total = 0;
 
     for (int c = 0; c < ncell; c++) {
-        const interval v = plan(at[c], at[c + 1], finest + c, target);
+        const interval v = plan(at[c], at[c + 1], finest + c, target, growth);
         total += v.nlow + v.nmiddle + v.nhigh;
     }
     if (!(total <= SECTION_MOST_ELEMENTS)) {
@@ -93,7 +95,7 @@ status ladder_make(int ncell, const double *at, const double *finest, double tar
     TRY(TAKE(l.edge, (size_t)total + 1));
     TRY(TAKE(l.cell, (size_t)total));
     for (int c = 0; c < ncell; c++) {
-        const interval v = plan(at[c], at[c + 1], finest + c, target);
+        const interval v = plan(at[c], at[c + 1], finest + c, target, growth);
         fill(&v, c, &l);
     }
     l.edge[l.n] = at[ncell];

@@ -12,6 +12,7 @@ typedef struct ladder {
 } ladder;
 
 // at: [ncell + 1] breaks. finest: [ncell + 1] length of the elements next to a break, 0 where it
-// asks for none; they grow by a fixed factor away from it, up to `target`, which is kept elsewhere.
-status ladder_make(int ncell, const double *at, const double *finest, double target, ladder *out);
+// asks for none; they grow by `growth` away from it, up to `target`, which is kept elsewhere.
+status ladder_make(int ncell, const double *at, const double *finest, double target, double growth,
+                   ladder *out);
 void ladder_free(ladder *l);

@@ -84,7 +84,7 @@ static status make_ladders(const section_outline *o, const grid *g, const mesh_o
         }
     }
     for (int d = 0; d < 2; d++) {
-        TRY(ladder_make(g->n[d], g->at[d], finest[d], target[d], &l[d]));
+        TRY(ladder_make(g->n[d], g->at[d], finest[d], target[d], sizing_growth(options), &l[d]));
     }
     if ((double)l[0].n * l[1].n > SECTION_MOST_ELEMENTS) {
         TRY(status_fail(ERR_INPUT, "mesh: its size asks for more than %d elements",

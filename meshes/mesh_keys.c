@@ -2,7 +2,7 @@
 #include "meshes/mesher.h"
 
 // a size beyond this is most likely a mistake of unit
-#define LARGEST_LENGTH 1e3
+#define LARGEST_LENGTH 1e6
 
 #define COUNT(keys) ((int)(sizeof(keys) / sizeof *(keys)))
 

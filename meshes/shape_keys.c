@@ -4,8 +4,8 @@
 #include <math.h>
 
 // Drawn lengths lie between these; the unit is most likely a mistake outside of them.
-#define SMALLEST_LENGTH 1e-8
-#define LARGEST_LENGTH 1e3
+#define SMALLEST_LENGTH 1e-12
+#define LARGEST_LENGTH 1e6
 
 enum { MOST_POINTS = 2000, MOST_HOLES = 200, MOST_COPIES = 500 };
 

@@ -22,6 +22,11 @@ double sizing_finer(const mesh_options *options)
     return options->finer > 0 ? options->finer : 1;
 }
 
+double sizing_growth(const mesh_options *options)
+{
+    return pow(SIZING_GROWTH, 1 / sizing_finer(options));
+}
+
 double sizing_length(const mesh_options *options, double section_size)
 {
     const double chosen = length_part[options->order] * section_size;

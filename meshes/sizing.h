@@ -14,6 +14,9 @@ enum { SECTION_MOST_ELEMENTS = 200000 };
 // How many element edges take the place of one of the chosen length.
 double sizing_finer(const mesh_options *options);
 
+// By what elements grow away from corners; less where they are finer.
+double sizing_growth(const mesh_options *options);
+
 // Target edge length [m].
 double sizing_length(const mesh_options *options, double section_size);
 

@@ -57,15 +57,17 @@ double section_error_left(int p, double d1, double d2)
 // Away from corners each order takes the same part of what the one before has left, so the error is
 // d1 r, r = d1 / d2. The first orders flatter: no faster decay than this is believed. The margin
 // covers decays that still slow down.
-static const double least_ratio = 0.01, smooth_margin = 2;
+static const double least_ratio = 0.01, least_ratio_of_3 = 0.005, smooth_margin = 3;
+// elements that grow away from a corner by a factor each gain less
+static const double least_ratio_of_layers = 0.05;
 
 // without a second difference (order 2)
 static const double assumed_ratio = 0.25;
 
-static double smooth_left(int p, double d1, double d2)
+static double smooth_left(int p, double least, double d1, double d2)
 {
     const double r = p == 2 ? assumed_ratio : d2 > d1 ? d1 / d2 : 1;
-    return smooth_margin * d1 * fmax(r, least_ratio);
+    return smooth_margin * d1 * fmax(r, least);
 }
 
 // What order p keeps next to corners, over what the last layer of elements there has taken at order
@@ -105,7 +107,7 @@ static double largest(mat6 a)
 
 // No entry is said to be better than this part of the worst: the differences of single entries may
 // be small by accident.
-static const double best_entry = 0.01;
+static const double best_entry = 0.1;
 
 // Compliances of finite elements err to one side, so errors of K make a definite matrix: an entry's
 // is at most the geometric mean of its diagonals'. Rounding is in all of them.
@@ -149,8 +151,11 @@ static double part_left(const mesh_solver *s, const mesh_options *options, corne
 {
     const int i = place_of_largest(to_lower);
     const double d1 = to_lower.a[i / 6][i % 6], d2 = to_lowest.a[i / 6][i % 6];
+    const double least = worst != CORNER_NONE ? least_ratio_of_layers
+                         : p == 3             ? least_ratio_of_3
+                                              : least_ratio;
     const bool geometric = worst == CORNER_NONE || (s->graded && !(options->size > 0));
-    const double left = geometric ? smooth_left(p, d1, d2) : section_error_left(p, d1, d2);
+    const double left = geometric ? smooth_left(p, least, d1, d2) : section_error_left(p, d1, d2);
     return d1 > 0 ? left / d1 : 0;
 }
 
@@ -279,29 +284,35 @@ static const double most_finer = 6;
 static const double enough_for_2 = 1e-3, enough_for_3 = 1e-5;
 // a layer at the corners takes at least this
 static const double of_a_layer = 0.15;
-// more than this by one step would be guessed
-static const double most_at_once = 2;
+// more than this by one step would be guessed, less is no step
+static const double most_at_once = 2, least_at_once = 1.2;
 // aimed at, of the tolerance
 static const double aim = 0.5;
 
-// What dominates is made smaller: corners by layers, the rest by the order and then by the length,
-// errors h^2p. False where nothing is left to try.
+// Shorter elements that also grow less towards corners take the error down by about this power of
+// the order.
+static const double gain_of_finer = 2.5;
+
+// What dominates is made smaller: corners by layers, the rest by the order and then by the length.
+// False where nothing is left to try.
 static bool refine(const trial *t, bool free_order, double tolerance, mesh_options *o)
 {
     const double corner = largest(t->corner), smooth = largest(t->smooth), want = aim * tolerance;
     const mesh_options before = *o;
-    if (corner > want) {
+    double finer = 1;
+    if (corner > want && o->layers < MOST_LAYERS) {
         const int more = (int)ceil(log(want / corner) / log(of_a_layer));
         o->layers = (int)fmin(o->layers + more, MOST_LAYERS);
+    } else if (corner > want) {
+        finer = least_at_once;
     }
     if (smooth > want && free_order && o->order < ELEMENT_MAX_ORDER) {
         o->order++;
     } else if (smooth > want) {
-        const double factor = pow(smooth / want, 1.0 / (2 * o->order));
-        const double now = o->finer > 0 ? o->finer : 1;
-        o->finer = fmin(now * fmin(factor, most_at_once), most_finer);
+        finer = fmin(fmax(finer, pow(smooth / want, 1 / (gain_of_finer * o->order))), most_at_once);
     }
-    return o->layers != before.layers || o->order != before.order || o->finer != before.finer;
+    o->finer = fmin((o->finer > 0 ? o->finer : 1) * finer, most_finer);
+    return o->layers != before.layers || o->order != before.order || finer > 1;
 }
 
 static const char *what_dominates(const trial *t, double tolerance)
@@ -323,7 +334,13 @@ status estimate_meet(const mesh_solver *s, const mesh_options *options, bool fre
     }
     bool more = true;
     for (int k = 0; k < MOST_TRIES && more && !(best.law.relative_error <= tolerance); k++) {
-        TRY(try_options(s, &o, &t));
+        const status one = try_options(s, &o, &t);
+        if (one != OK && k > 0 && one != ERR_RESOURCE) {
+            // no finer mesh can be made or solved: what was reached counts
+            status_clear();
+            break;
+        }
+        TRY(one);
         if (t.law.relative_error < best.law.relative_error) {
             best = t;
         }

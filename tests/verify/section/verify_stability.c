@@ -1,0 +1,14 @@
+// tests/verify/section/verify_stability.c
+// Every third line of docs/stability.md: bench/bench_stability.c makes the whole table.
+#include "tests/verify/section/stress.h"
+
+#include "tests/test.h"
+
+int main(void)
+{
+    const stress_count n = stress_all(3);
+    CHECK(n.rows > 20 && n.outside == 0);
+    // refusals are the exception
+    CHECK(n.refused <= n.rows / 4);
+    return test_failures != 0;
+}
