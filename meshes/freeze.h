@@ -12,8 +12,8 @@ typedef struct freezer {
 
 // Drawings outside of these sizes are mistakes of unit, and their squares would leave the range of
 // the checks [m].
-#define SMALLEST_DRAWING 1e-8
-#define LARGEST_DRAWING 1e4
+#define SMALLEST_DRAWING 1e-10
+#define LARGEST_DRAWING 1e7
 
 typedef struct freeze_words {
     char a[40];

@@ -113,7 +113,8 @@ static inline stress_case stress_strip(double part)
 // a film of another material on a bar: EA is the sum, EI and the rest from the finer mesh
 static inline stress_case stress_film(double part)
 {
-    stress_case c = {.what = "film on a bar, thickness / width", .value = part, .from_finer = true, .layers = 2};
+    stress_case c = {
+        .what = "film on a bar, thickness / width", .value = part, .from_finer = true, .layers = 2};
     const double t = 10e-3 * part;
     c.s.material[0] = isotropic(1e6, 0.3);
     c.s.material[1] = isotropic(1e8, 0.3);
