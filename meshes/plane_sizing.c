@@ -18,7 +18,8 @@ status section_check_thickness(const section_outline *o)
     double part = 0;
     const int thinnest = section_thinnest_shape(o, &part);
     if (thinnest >= 0 && part < OUTLINE_SLIVER) {
-        return outline_fail(&o->items[thinnest], "it is thinner than %g of the section's size from its origin",
+        return outline_fail(&o->items[thinnest],
+                            "it is thinner than %g of the section's size from its origin",
                             OUTLINE_SLIVER);
     }
     return OK;
