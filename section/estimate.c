@@ -10,47 +10,8 @@
 // Rounding of the solves, relative: turning and moving a section shows 5e-13 to 5e-12.
 static const double rounding_level = 1e-11;
 
-// --- meshes whose elements do not shrink towards corners
-
-// Errors are taken to fall like p^-a. Corners where materials meet a free edge, and re-entrant
-// ones, give a = 2 to 5, and the low orders fall faster before these show: no faster decay than
-// this is believed, no slower one is known.
-static const double fastest_decay = 3, slowest_decay = 1;
-// without a second difference: a re-entrant corner gives 8/3
-static const double assumed_decay = 2;
-// Where materials meet, and at re-entrant corners, the decay slows down with the order: what is
-// left was 0.6 to 1.4 of what the last three orders promise (catheter, angle). Nobody is served by
-// an estimate that is too small.
-static const double slowing_margin = 2;
 // Order 1 against order 2: order 2 itself keeps up to a third of the error of order 1.
 static const double linear_margin = 1.5;
-
-// the ratio d1 / d2 that errors c p^-a give
-static double ratio_of_decay(int p, double a)
-{
-    const double e0 = pow(p, -a), e1 = pow(p - 1, -a), e2 = pow(p - 2, -a);
-    return (e1 - e0) / (e2 - e1);
-}
-
-double section_error_left(int p, double d1, double d2)
-{
-    double slow = slowest_decay, fast = fastest_decay;
-    double a = assumed_decay, margin = 1;
-    if (p > 2 && d2 > 0) {
-        margin = slowing_margin;
-        // the ratio falls as the decay gets faster; a hundredth is more than an estimate needs
-        for (int i = 0; i < 10; i++) {
-            a = (slow + fast) / 2;
-            if (ratio_of_decay(p, a) > d1 / d2) {
-                slow = a;
-            } else {
-                fast = a;
-            }
-        }
-    }
-    const double e0 = pow(p, -a), e1 = pow(p - 1, -a);
-    return margin * d1 * e0 / (e1 - e0);
-}
 
 // --- smooth fields, and meshes that shrink towards corners
 
@@ -286,6 +247,8 @@ static const double enough_for_2 = 1e-3, enough_for_3 = 1e-5;
 static const double of_a_layer = 0.15;
 // more than this by one step would be guessed, less is no step
 static const double most_at_once = 2, least_at_once = 1.2;
+// of the rounding, what meshes are still refined to
+static const double above_rounding = 10;
 // aimed at, of the tolerance
 static const double aim = 0.5;
 
@@ -344,7 +307,8 @@ status estimate_meet(const mesh_solver *s, const mesh_options *options, bool fre
         if (t.law.relative_error < best.law.relative_error) {
             best = t;
         }
-        more = t.rounding < tolerance && refine(&t, free_order, tolerance, &o);
+        // below the rounding nothing is gained, but what can be reached is told
+        more = refine(&t, free_order, fmax(tolerance, above_rounding * t.rounding), &o);
     }
     if (!(best.law.relative_error <= tolerance)) {
         TRY(status_fail(ERR_NUMERIC,
