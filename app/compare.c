@@ -50,11 +50,10 @@ static bool one_poisson_ratio(const case_data *c, const mesh *m)
     return true;
 }
 
-static status prepare_section(const case_data *c, const run_result *r, compare_section *out)
+static status prepare_section(const case_data *c, compare_section *out)
 {
     status st = OK;
     out->s = case_has_segment(c) ? c->file.fem.section_at : 0;
-    out->error = r->section.station[0].law.relative_error;
     TRY(case_place(c, section_mesh_at(&c->file.section, out->s, &out->mesh), c->file.section.at));
     for (int i = 0; i < out->mesh.nnode; i++) {
         const double *x = out->mesh.xyz + 3 * (size_t)i;
@@ -63,7 +62,11 @@ static status prepare_section(const case_data *c, const run_result *r, compare_s
     out->one_poisson = one_poisson_ratio(c, &out->mesh);
     out->isotropic = isotropic_and_uniform(c, &out->mesh);
     out->contrast = modulus_contrast(c, &out->mesh);
-    TRY(section_full_mesh(&out->mesh, c->materials, &out->full, NULL));
+    // the full model, whatever the case's is, as the other ways have it: nothing turns
+    section_case full = c->file.section;
+    full.model = MODEL_FULL;
+    TRY(case_place(c, section_solve(&full, c->materials, out->s, 0, &out->full), full.at));
+    out->error = out->full.relative_error;
     TRY(beam_law_centres(&out->full, &out->centres));
 
 done:
@@ -77,7 +80,7 @@ status compare_all(const command *cmd, const case_data *c, run_result *r)
     TRY(TAKE(r->compare, COMPARE_MAX_ROWS));
     r->has_compare = true;
     command_progress(cmd, "comparison: section");
-    TRY(prepare_section(c, r, &section));
+    TRY(prepare_section(c, &section));
     TRY(compare_published(c, &section, r));
     TRY(compare_closed_forms(c, &section, r));
     command_progress(cmd, "comparison: GetDP");
