@@ -10,14 +10,18 @@ static status one(int k, campaign *sum)
     static const double tolerance[] = {0, 1e-3, 1e-4, 1e-5, 1e-6};
     static const char *name[] = {"default", "1e-3", "1e-4", "1e-5", "1e-6"};
     sample s;
-    beam_law truth;
+    beam_law truth, last = {0};
     const mesh_options mesh = mesh_options_default();
     sample_make(k, &s);
     TRY(sample_reference(&s, &truth));
     for (int i = 0; i < (int)(sizeof tolerance / sizeof *tolerance); i++) {
         measured m = {0};
         TRY(sample_solve(&s, &mesh, tolerance[i], &m));
-        campaign_row(sum, s.name, name[i], &m, &truth);
+        // a mesh that serves two tolerances counts once
+        if (i == 0 || mat6_relative_error(m.law.K, last.K) > 0) {
+            campaign_row(sum, s.name, name[i], &m, &truth);
+        }
+        last = m.law;
     }
 
 done:
