@@ -47,7 +47,8 @@ static const key root_keys[] = {
 void case_keys(key_table *root, case_file *initial)
 {
     *initial = (case_file){
-        .section = section_case_default(),
+        // not section_case_default(): what the case leaves open stays open until it was read
+        .section = *(const section_case *)section_keys.initial,
         .rod = rod_case_default(),
         .fem = segment_case_default(),
     };

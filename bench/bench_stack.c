@@ -17,7 +17,6 @@ static const char case_text[] = "format: 1\n"
                                 "  soft: {E_MPa: 0.66, nu: 0.3}\n"
                                 "  stiff: {E_MPa: 15.93, nu: 0.3}\n"
                                 "section:\n"
-                                "  mesh: {order: 2}\n" // within 2e-3: pixels are worth no more
                                 "  png:\n"
                                 "    file: slice_%03d.png\n"
                                 "    pitch_mm: [0.02, 0.02]\n"
