@@ -71,6 +71,7 @@ function(program name file)
 endfunction()
 
 # tests/<kind>/<room>/test_X.c is a program linked with that room; tests/cli/*.sh runs the program
+# Label `numbers`: long runs whose point is numbers, not memory; the sanitized build of ./run check leaves them out.
 function(tests)
     foreach(kind unit verify)
         file(GLOB files CONFIGURE_DEPENDS tests/${kind}/*/*.c)
@@ -86,7 +87,11 @@ function(tests)
             target_link_libraries(${name} PRIVATE ${room} m)
             add_dependencies(${name} door_hdf5 door_gmsh door_petsc)
             add_test(NAME ${kind}/${room}/${name} COMMAND ${name})
-            set_tests_properties(${kind}/${room}/${name} PROPERTIES TIMEOUT 300 LABELS ${kind}
+            set(labels ${kind})
+            if(kind STREQUAL verify)
+                list(APPEND labels numbers)
+            endif()
+            set_tests_properties(${kind}/${room}/${name} PROPERTIES TIMEOUT 600 LABELS "${labels}"
                 ENVIRONMENT "STIFFAXIS_SOURCE=${PROJECT_SOURCE_DIR}")
         endforeach()
     endforeach()
@@ -103,10 +108,16 @@ function(tests)
             ENVIRONMENT "STIFFAXIS_SOURCE=${PROJECT_SOURCE_DIR}")
     endforeach()
     file(GLOB scripts CONFIGURE_DEPENDS tests/cli/*.sh tests/cross/*.sh tests/*.sh)
+    # long, and of the same code as the others: once is enough
+    set(numbers blade check_format check_layers json published run_cases voxel vtkhdf)
     foreach(file ${scripts})
         get_filename_component(name ${file} NAME_WE)
         add_test(NAME script/${name} COMMAND sh ${file})
-        set_tests_properties(script/${name} PROPERTIES TIMEOUT 300 LABELS cli ENVIRONMENT
+        set(labels cli)
+        if(name IN_LIST numbers)
+            list(APPEND labels numbers)
+        endif()
+        set_tests_properties(script/${name} PROPERTIES TIMEOUT 600 LABELS "${labels}" ENVIRONMENT
             "STIFFAXIS=$<TARGET_FILE:stiffaxis>;STIFFAXIS_SOURCE=${PROJECT_SOURCE_DIR};STIFFAXIS_BUILD_TYPE=${CMAKE_BUILD_TYPE}")
     endforeach()
 endfunction()
