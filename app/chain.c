@@ -92,10 +92,12 @@ status chain_section(const case_data *c, bool mesh, run_result *out)
     out->has_section = true;
     out->section_model = section->model;
     if (mesh) {
-        const double s = out->section.station[0].s;
+        const section_station *first = &out->section.station[0];
+        const double s = first->s;
         TRY(case_place(c, section_outline_at(section, s, &outline, &found), section->at));
         out->symmetry_turn = outline.has_symmetry ? outline.turn : 0;
-        TRY(case_place(c, section_mesh_at(section, s, &out->section_mesh), section->at));
+        TRY(case_place(c, section_mesh_with(section, s, &first->mesh, &out->section_mesh),
+                       section->at));
     }
 
 done:

@@ -80,6 +80,19 @@ done:
     return st;
 }
 
+// the finest of what the laws along the rod were solved on
+static section_case on_solved_mesh(const section_case *c, const section_result *r)
+{
+    section_case out = *c;
+    for (int i = 0; i < r->nstation; i++) {
+        const mesh_options *o = &r->station[i].mesh;
+        out.mesh.order = i == 0 || o->order > out.mesh.order ? o->order : out.mesh.order;
+        out.mesh.layers = i == 0 || o->layers > out.mesh.layers ? o->layers : out.mesh.layers;
+        out.mesh.finer = i == 0 ? o->finer : fmax(out.mesh.finer, o->finer);
+    }
+    return out;
+}
+
 static status find_strains(const case_data *c, const samples *all, run_result *out)
 {
     status st = OK;
@@ -87,7 +100,8 @@ static status find_strains(const case_data *c, const samples *all, run_result *o
     const int n = out->rod.nsolution;
     const section_wrenches_along along = {STRAIN_SAMPLES, all->s, n, all->wrench};
     TRY(TAKE(places, (size_t)n * (size_t)c->nmaterial));
-    TRY(section_strain_along(&c->file.section, c->materials, &out->section.along, &along, places));
+    const section_case solved = on_solved_mesh(&c->file.section, &out->section);
+    TRY(section_strain_along(&solved, c->materials, &out->section.along, &along, places));
     for (int i = 0; i < n; i++) {
         struct rod_run *run = &out->rod.run[i];
         TRY(TAKE(run->strain, (size_t)c->nmaterial));

@@ -11,6 +11,8 @@ enum { MOST_KNOWN = 100000, PARTS = 8, PART_BITS = 16, PART_MOST = 65535 };
 typedef struct known_row {
     int key[PARTS];
     beam_law law;
+    int order, layers; // of its mesh
+    double finer;
 } known_row;
 
 static void take_apart(hash key, int part[PARTS])
@@ -38,6 +40,9 @@ static status pass_rows(const passage *p, int n, known_row *rows)
         {"K", COLUMN_REAL, STIFFNESS_UNIT, offsetof(known_row, law.K), 2, {6, 6}, 0},
         {"area_m2", COLUMN_POSITIVE, "m^2", offsetof(known_row, law.area), 0, {0}, 0},
         {"relative_error", COLUMN_ANY, "-", offsetof(known_row, law.relative_error), 0, {0}, 0},
+        {"mesh_order", COLUMN_INT, "-", offsetof(known_row, order), 0, {0}, ELEMENT_MAX_ORDER},
+        {"mesh_layers", COLUMN_INT, "-", offsetof(known_row, layers), 0, {0}, SECTION_MOST_LAYERS},
+        {"mesh_finer", COLUMN_REAL, "-", offsetof(known_row, finer), 0, {0}, 0},
         {"K_relative_error", COLUMN_ANY, "-", offsetof(known_row, law.entry_error), 2, {6, 6}, 0},
     };
     return n == 0 ? OK
@@ -55,6 +60,9 @@ status store_write_known(store *s, const char *path, const section_known *known)
     for (int i = 0; i < n; i++) {
         take_apart(known->key[i], rows[i].key);
         rows[i].law = known->law[i];
+        rows[i].order = known->mesh[i].order;
+        rows[i].layers = known->mesh[i].layers;
+        rows[i].finer = known->mesh[i].finer;
     }
     TRY(passage_count(&p, "section/known/count", 0, MOST_KNOWN, &n));
     TRY(pass_rows(&p, n, rows));
@@ -73,8 +81,13 @@ static status read_known(const passage *p, section_known *out)
     TRY(TAKE(rows, (size_t)n));
     TRY(pass_rows(p, n, rows));
     for (int i = 0; i < n; i++) {
+        const mesh_options o = {
+            .order = rows[i].order, .layers = rows[i].layers, .finer = rows[i].finer};
         TRY(beam_law_check(&rows[i].law));
-        TRY(section_known_add(out, put_together(rows[i].key), &rows[i].law));
+        if (o.order < 1 || !(o.finer >= 0 && o.finer <= SECTION_MOST_FINER)) {
+            TRY(passage_damaged(p, "section/known", "a mesh that no section is solved on"));
+        }
+        TRY(section_known_add(out, put_together(rows[i].key), &rows[i].law, &o));
     }
 
 done:

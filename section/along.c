@@ -34,11 +34,12 @@ static status fill(section_store *store, law_along *along)
     for (int k = 0; k < along->npanel; k++) {
         for (int i = 0; i < along->nnode; i++) {
             const int node = k * along->nnode + i;
-            section_place p = {0};
-            TRY(section_store_law(store, law_along_node(along, k, i), &along->law[node], &p));
-            along->turn[node] = p.turn;
-            all = all && p.has_symmetry;
-            section_place_free(&p);
+            solved_section one = {0};
+            TRY(section_store_law(store, law_along_node(along, k, i), &one));
+            along->law[node] = one.turned;
+            along->turn[node] = one.place.turn;
+            all = all && one.place.has_symmetry;
+            section_place_free(&one.place);
         }
     }
     along->symmetric = all;
@@ -88,17 +89,16 @@ static double turn_error(const law_along *along, int panel)
 static status probe(section_store *store, const law_along *along, int panel, double *miss)
 {
     status st = OK;
-    beam_law law = {0};
-    section_place p = {0};
+    solved_section one = {0};
     const double a = along->edge[panel], b = along->edge[panel + 1];
     const double s = a + probe_place * (b - a);
-    TRY(section_store_law(store, s, &law, &p));
+    TRY(section_store_law(store, s, &one));
     mat6 K;
     law_along_at(along, s, &K, NULL);
-    *miss = mat6_relative_error(K, beam_law_move(law.K, 0, 0, -p.turn));
+    *miss = mat6_relative_error(K, beam_law_move(one.turned.K, 0, 0, -one.place.turn));
 
 done:
-    section_place_free(&p);
+    section_place_free(&one.place);
     return st;
 }
 
@@ -226,24 +226,26 @@ static status add_station(section_store *store, double s, axis_memory *axis, sec
 {
     status st = OK;
     section_station *new = &r->station[r->nstation];
-    section_place p = {0};
+    solved_section one = {0};
+    const section_place *p = &one.place;
     new->s = s;
-    TRY(section_store_law(store, s, &new->law, &p));
-    new->turn_rate = p.turn_rate;
-    new->law = beam_law_turn(new->law, -p.turn);
-    if (p.has_symmetry) {
-        TRY(beam_law_centres_near(&new->law, p.turn, &new->centres));
+    TRY(section_store_law(store, s, &one));
+    new->turn_rate = p->turn_rate;
+    new->law = beam_law_turn(one.turned, -p->turn);
+    new->mesh = one.mesh;
+    if (p->has_symmetry) {
+        TRY(beam_law_centres_near(&new->law, p->turn, &new->centres));
     } else if (axis->begun) {
-        const double near = axis->angle + p.turn - axis->turn;
+        const double near = axis->angle + p->turn - axis->turn;
         TRY(beam_law_centres_near(&new->law, near, &new->centres));
     } else {
         TRY(beam_law_centres(&new->law, &new->centres));
     }
-    *axis = (axis_memory){true, new->centres.principal_angle, p.turn};
+    *axis = (axis_memory){true, new->centres.principal_angle, p->turn};
     r->nstation++;
 
 done:
-    section_place_free(&p);
+    section_place_free(&one.place);
     return st;
 }
 

@@ -50,16 +50,16 @@ static void cut_free(cut *c)
     section_warping_free(&c->warping);
 }
 
-static status cut_make(const section_question *q, double s, double turn_rate, cut *c)
+static status cut_make(const section_question *q, const section_station *station, cut *c)
 {
     status st = OK;
     beam_law unused = {0};
-    c->turn_rate = turn_rate;
+    c->turn_rate = station->turn_rate;
     TRY(TAKE(c->materials, (size_t)q->request->nmaterial));
     for (int i = 0; i < q->request->nmaterial; i++) {
-        c->materials[i] = material_at(&q->materials[i], s);
+        c->materials[i] = material_at(&q->materials[i], station->s);
     }
-    TRY(section_mesh_at(q->request, s, &c->mesh));
+    TRY(section_mesh_with(q->request, station->s, &station->mesh, &c->mesh));
     if (q->request->model == MODEL_FULL) {
         TRY(section_turning_mesh(&c->mesh, c->materials, c->turn_rate, &unused, &c->warping));
     }
@@ -141,7 +141,7 @@ status section_answer(const section_question *q, const section_station *station,
     status st = OK;
     cut c = {0};
     section_answers a = {.station = index, .EI_warping = NAN};
-    TRY(cut_make(q, station->s, station->turn_rate, &c));
+    TRY(cut_make(q, station, &c));
     TRY(section_mass_of(&c.mesh, c.materials, &a.mass));
     TRY(section_kern(&c.mesh, &station->law, &a.nkern, &a.kern));
     if (c.warping.nnode > 0) {

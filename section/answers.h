@@ -50,7 +50,7 @@ typedef struct section_question {
     bool fields; // keep strains and stresses at the nodes
 } section_question;
 
-// One more solve at the station in the full model.
+// One more solve at the station in the full model, on the mesh of the station's law.
 status section_answer(const section_question *q, const section_station *station, int index,
                       section_answers *out);
 void section_answers_free(section_answers *a);

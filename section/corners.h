@@ -6,6 +6,10 @@
 #include "base/mesh.h"
 #include "meshes/corner.h"
 
-// The strongest corner of a plane mesh: at free edges that turn, and where interfaces end, turn or
-// meet. materials: the mesh's.
-status corners_strongest(const mesh *m, const material *materials, corner *out);
+typedef struct corners {
+    corner strongest; // at free edges that turn, and where interfaces end, turn or meet
+    bool bends;       // a free edge or an interface goes on smoothly, but with another curvature
+} corners;
+
+// Of a plane mesh; materials: the mesh's. turning: the pattern turns along the rod.
+status corners_find(const mesh *m, const material *materials, bool turning, corners *out);

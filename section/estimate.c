@@ -2,6 +2,7 @@
 #include "section/estimate.h"
 
 #include "section/corners.h"
+#include "section/section.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -21,6 +22,8 @@ static const double linear_margin = 1.5;
 static const double least_ratio = 0.01, least_ratio_of_3 = 0.005, smooth_margin = 3;
 // elements that grow away from a corner by a factor each gain less
 static const double least_ratio_of_layers = 0.05;
+// where an edge's curvature jumps, the field has the exponent 2, and no mesh shrinks towards it
+static const double exponent_of_bends = 2;
 
 // without a second difference (order 2)
 static const double assumed_ratio = 0.25;
@@ -107,16 +110,17 @@ done:
 }
 
 // how much of the differences to the next lower order is left, by the largest of them
-static double part_left(const mesh_solver *s, const mesh_options *options, corner worst, int p,
-                        mat6 to_lower, mat6 to_lowest)
+static double part_left(const mesh_solver *s, const mesh_options *options, const corners *found,
+                        int p, mat6 to_lower, mat6 to_lowest)
 {
     const int i = place_of_largest(to_lower);
     const double d1 = to_lower.a[i / 6][i % 6], d2 = to_lowest.a[i / 6][i % 6];
-    const double least = worst != CORNER_NONE ? least_ratio_of_layers
-                         : p == 3             ? least_ratio_of_3
-                                              : least_ratio;
-    const bool geometric = worst == CORNER_NONE || (s->graded && !(options->size > 0));
-    const double left = geometric ? smooth_left(p, least, d1, d2) : section_error_left(p, d1, d2);
+    const bool corner = found->strongest != CORNER_NONE;
+    const double least = corner ? least_ratio_of_layers : p == 3 ? least_ratio_of_3 : least_ratio;
+    const double bent = found->bends ? pow((p - 1.0) / p, 4 * exponent_of_bends) : 0;
+    const bool geometric = !corner || (s->graded && !(options->size > 0));
+    const double left =
+        geometric ? smooth_left(p, fmax(least, bent), d1, d2) : section_error_left(p, d1, d2);
     return d1 > 0 ? left / d1 : 0;
 }
 
@@ -172,9 +176,9 @@ static status try_orders(const mesh_solver *s, const mesh_options *options, cons
     status st = OK;
     const int p = m->order;
     mat6 lower = {0}, lowest = {0}, d2 = {0};
-    corner worst = CORNER_NONE;
+    corners found = {.strongest = CORNER_NONE};
     if (s->materials) {
-        TRY(corners_strongest(m, s->materials, &worst));
+        TRY(corners_find(m, s->materials, s->turning, &found));
     }
     TRY(s->solve(s->what, m, &t->law));
     TRY(solve_order(s, m, p - 1, &lower));
@@ -183,9 +187,9 @@ static status try_orders(const mesh_solver *s, const mesh_options *options, cons
         TRY(solve_order(s, m, p - 2, &lowest));
         d2 = difference(lower, lowest);
     }
-    t->smooth = mat6_scale(part_left(s, options, worst, p, d1, d2), d1);
+    t->smooth = mat6_scale(part_left(s, options, &found, p, d1, d2), d1);
     // order 1 tells nothing of corners
-    TRY(try_layers(s, options, m, worst, p > 2 ? p - 1 : p, p > 2 ? lower : t->law.K, t));
+    TRY(try_layers(s, options, m, found.strongest, p > 2 ? p - 1 : p, p > 2 ? lower : t->law.K, t));
 
 done:
     return st;
@@ -235,10 +239,8 @@ status estimate_solve(const mesh_solver *s, const mesh_options *options, beam_la
 
 // --- a tolerance
 
-// Most that is tried: meshes, layers at corners beyond the default ones (more make rounding larger
-// than what they take), and elements for one of the default length.
-enum { MOST_TRIES = 8, MOST_LAYERS = 4 };
-static const double most_finer = 6;
+// meshes that are tried
+enum { MOST_TRIES = 8 };
 
 // Orders for a beginning, by the tolerance: lower ones need smaller elements, higher ones cost
 // more.
@@ -263,9 +265,9 @@ static bool refine(const trial *t, bool free_order, double tolerance, mesh_optio
     const double corner = largest(t->corner), smooth = largest(t->smooth), want = aim * tolerance;
     const mesh_options before = *o;
     double finer = 1;
-    if (corner > want && o->layers < MOST_LAYERS) {
+    if (corner > want && o->layers < SECTION_MOST_LAYERS) {
         const int more = (int)ceil(log(want / corner) / log(of_a_layer));
-        o->layers = (int)fmin(o->layers + more, MOST_LAYERS);
+        o->layers = (int)fmin(o->layers + more, SECTION_MOST_LAYERS);
     } else if (corner > want) {
         finer = least_at_once;
     }
@@ -274,7 +276,7 @@ static bool refine(const trial *t, bool free_order, double tolerance, mesh_optio
     } else if (smooth > want) {
         finer = fmin(fmax(finer, pow(smooth / want, 1 / (gain_of_finer * o->order))), most_at_once);
     }
-    o->finer = fmin((o->finer > 0 ? o->finer : 1) * finer, most_finer);
+    o->finer = fmin((o->finer > 0 ? o->finer : 1) * finer, SECTION_MOST_FINER);
     return o->layers != before.layers || o->order != before.order || finer > 1;
 }
 
@@ -287,7 +289,7 @@ static const char *what_dominates(const trial *t, double tolerance)
 }
 
 status estimate_meet(const mesh_solver *s, const mesh_options *options, bool free_order,
-                     double tolerance, beam_law *out)
+                     double tolerance, beam_law *out, mesh_options *used)
 {
     status st = OK;
     trial t, best = {.law = {.relative_error = INFINITY}};
@@ -306,6 +308,7 @@ status estimate_meet(const mesh_solver *s, const mesh_options *options, bool fre
         TRY(one);
         if (t.law.relative_error < best.law.relative_error) {
             best = t;
+            *used = o;
         }
         // below the rounding nothing is gained, but what can be reached is told
         more = refine(&t, free_order, fmax(tolerance, above_rounding * t.rounding), &o);

@@ -110,43 +110,48 @@ done:
     return st;
 }
 
-const beam_law *section_known_find(const section_known *k, hash key)
+int section_known_find(const section_known *k, hash key)
 {
     for (int i = 0; i < k->count; i++) {
         if (hash_is(k->key[i], key)) {
-            return &k->law[i];
+            return i;
         }
     }
-    return NULL;
+    return -1;
 }
 
-status section_known_add(section_known *k, hash key, const beam_law *law)
+status section_known_add(section_known *k, hash key, const beam_law *law, const mesh_options *mesh)
 {
     status st = OK;
     hash *keys = NULL;
     beam_law *laws = NULL;
+    mesh_options *meshes = NULL;
     if (k->count == k->capacity) {
         const int capacity = 2 * k->capacity + 16;
         TRY(TAKE(keys, (size_t)capacity));
         TRY(TAKE(laws, (size_t)capacity));
+        TRY(TAKE(meshes, (size_t)capacity));
         for (int i = 0; i < k->count; i++) {
             keys[i] = k->key[i];
             laws[i] = k->law[i];
+            meshes[i] = k->mesh[i];
         }
-        section_known_free(&(section_known){.key = k->key, .law = k->law});
-        k->key = keys;
-        k->law = laws;
-        k->capacity = capacity;
+        const int count = k->count;
+        section_known_free(k);
+        *k = (section_known){count, capacity, keys, laws, meshes};
         keys = NULL;
         laws = NULL;
+        meshes = NULL;
     }
     k->key[k->count] = key;
     k->law[k->count] = *law;
+    k->mesh[k->count] = *mesh;
     k->count++;
 
 done:
     free(keys);
     free(laws);
+    free(meshes);
     return st;
 }
 
@@ -154,5 +159,6 @@ void section_known_free(section_known *k)
 {
     free(k->key);
     free(k->law);
+    free(k->mesh);
     *k = (section_known){0};
 }

@@ -10,5 +10,5 @@
 status section_fingerprint(const section_case *c, const material *materials, const section_place *p,
                            hash *out, bool *known);
 
-// NULL where it is not there.
-const beam_law *section_known_find(const section_known *k, hash key);
+// Index; -1 where it is not among them.
+int section_known_find(const section_known *k, hash key);

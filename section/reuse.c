@@ -7,7 +7,6 @@
 #include "section/solve.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <string.h>
 
 // outlines nearer than this part of their size are one: contrast times this stays below 1e-10 of K
@@ -197,19 +196,20 @@ static void count_reuse(section_effort *effort, const section_place *a, const se
     }
 }
 
-static status find(section_store *store, const section_place *p, beam_law *turned, bool *found)
+static status find(section_store *store, solved_section *out, bool *found)
 {
     status st = OK;
     *found = false;
     for (int i = 0; i < store->count && !*found; i++) {
         const solved_section *known = &store->solved[i];
         section_likeness k = {0};
-        TRY(section_store_alike(store, &known->place, p, &k, found));
+        TRY(section_store_alike(store, &known->place, &out->place, &k, found));
         if (*found) {
-            *turned = known->turned;
-            turned->K = carried(turned->K, &k);
-            turned->area *= k.scale * k.scale;
-            count_reuse(&store->effort, &known->place, p, &k);
+            out->turned = known->turned;
+            out->turned.K = carried(known->turned.K, &k);
+            out->turned.area *= k.scale * k.scale;
+            out->mesh = known->mesh;
+            count_reuse(&store->effort, &known->place, &out->place, &k);
         }
     }
 
@@ -227,45 +227,59 @@ const material *section_store_materials(section_store *store, double s)
     return store->frozen ? store->frozen : store->materials;
 }
 
+// what an earlier run chose, of a mesh that the case describes as it did then
+static mesh_options as_then(const section_case *c, const mesh_options *then)
+{
+    mesh_options o = c->mesh;
+    o.order = then->order;
+    o.layers = then->layers;
+    o.finer = then->finer;
+    return o;
+}
+
 // the law in the body frame, from an earlier run or solved
-static status solve_or_recall(section_store *store, const section_place *p, beam_law *law)
+static status solve_or_recall(section_store *store, const section_place *p, beam_law *law,
+                              mesh_options *mesh)
 {
     status st = OK;
     hash key = {0};
-    bool comparable = false, meshed = false;
+    bool comparable = false;
+    section_used used = {0};
     const section_case *c = store->request;
     TRY(section_fingerprint(c, store->materials, p, &key, &comparable));
-    const beam_law *found = comparable && c->known ? section_known_find(c->known, key) : NULL;
-    if (found) {
-        *law = *found;
+    const int found = comparable && c->known ? section_known_find(c->known, key) : -1;
+    if (found >= 0) {
+        *law = c->known->law[found];
+        used = (section_used){true, as_then(c, &c->known->mesh[found])};
         store->effort.nstored++;
     } else {
-        TRY(section_solve_place(c, section_store_materials(store, p->s), p, law, &meshed));
+        TRY(section_solve_place(c, section_store_materials(store, p->s), p, law, &used));
         store->effort.nsolved++;
     }
+    *mesh = used.mesh;
     if (store->count == 0) {
         TRY(section_resolution(c, section_store_materials(store, p->s), p, law,
                                &store->resolution));
     }
-    store->effort.meshed = store->effort.meshed || meshed || found;
+    store->effort.meshed = store->effort.meshed || used.meshed;
     if (comparable) {
-        TRY(section_known_add(&store->laws, key, law));
+        TRY(section_known_add(&store->laws, key, law, mesh));
     }
 
 done:
     return st;
 }
 
-static status solve_new(section_store *store, section_place *p, beam_law *turned)
+static status solve_new(section_store *store, solved_section *out)
 {
     status st = OK;
     TRY(make_room(store));
-    TRY(solve_or_recall(store, p, turned));
-    *turned = beam_law_turn(*turned, p->turn);
+    TRY(solve_or_recall(store, &out->place, &out->turned, &out->mesh));
+    out->turned = beam_law_turn(out->turned, out->place.turn);
 
     solved_section *new = &store->solved[store->count];
-    *new = (solved_section){.place = *p, .turned = *turned};
-    TRY(section_outline_copy(&p->outline, &new->place.outline));
+    *new = *out;
+    TRY(section_outline_copy(&out->place.outline, &new->place.outline));
     store->count++;
 
 done:
@@ -299,46 +313,21 @@ status section_store_place(const section_store *store, double s, section_place *
     return st;
 }
 
-status section_store_law(section_store *store, double s, beam_law *turned, section_place *place)
+status section_store_law(section_store *store, double s, solved_section *out)
 {
     status st = OK;
-    section_place p = {0};
+    solved_section one = {0};
     bool found = false;
-    TRY(section_store_place(store, s, &p));
-    store->effort.uneven = store->effort.uneven || p.uneven;
-    TRY(find(store, &p, turned, &found));
+    TRY(section_store_place(store, s, &one.place));
+    store->effort.uneven = store->effort.uneven || one.place.uneven;
+    TRY(find(store, &one, &found));
     if (!found) {
-        TRY(solve_new(store, &p, turned));
+        TRY(solve_new(store, &one));
     }
-    *place = p;
-    p = (section_place){0};
+    *out = one;
+    one = (solved_section){0};
 
 done:
-    section_place_free(&p);
+    section_place_free(&one.place);
     return st;
-}
-
-// --- in words
-
-const char *section_effort_words(const section_effort *e, char words[SECTION_EFFORT_WORDS])
-{
-    const struct {
-        int count;
-        const char *what;
-    } rest[] = {
-        {e->nstored, "unchanged since the last result"},
-        {e->nsame, "equal to others"},
-        {e->nturned, "turned copies"},
-        {e->nscaled, "scaled copies"},
-        {e->nmirrored, "mirrored copies"},
-    };
-    int at = snprintf(words, SECTION_EFFORT_WORDS, "%d section%s solved%s", e->nsolved,
-                      e->nsolved == 1 ? "" : "s", e->meshed ? "" : " in closed form, no mesh");
-    for (size_t i = 0; i < sizeof rest / sizeof *rest; i++) {
-        if (rest[i].count > 0 && at < SECTION_EFFORT_WORDS) {
-            at += snprintf(words + at, (size_t)(SECTION_EFFORT_WORDS - at), ", %d %s",
-                           rest[i].count, rest[i].what);
-        }
-    }
-    return words;
 }

@@ -7,7 +7,8 @@
 
 typedef struct solved_section {
     section_place place;
-    beam_law turned; // in the frame that is turned by place.turn
+    beam_law turned;   // in the frame that is turned by place.turn
+    mesh_options mesh; // what it was solved with
 } solved_section;
 
 // b is a, mirrored if need be (y -> -y), scaled, and turned by b.turn - a.turn.
@@ -39,8 +40,8 @@ status section_store_make(const section_case *c, const material *materials, doub
                           section_store *out);
 void section_store_free(section_store *store);
 
-// The law at s in the frame turned by place->turn, solved or found; the caller frees *place.
-status section_store_law(section_store *store, double s, beam_law *turned, section_place *place);
+// The section at s, solved or found; the caller frees its place.
+status section_store_law(section_store *store, double s, solved_section *out);
 
 // What the section is at s, with the turning that its K knows.
 status section_store_place(const section_store *store, double s, section_place *out);

@@ -38,11 +38,17 @@ extern const key_table section_wrench_keys; // one entry of `section.wrenches`
 // Laws by the fingerprint of their sections, from an earlier run.
 typedef struct section_known {
     int count, capacity;
-    hash *key;     // [count]
-    beam_law *law; // [count] in the body frame
+    hash *key;          // [count]
+    beam_law *law;      // [count] in the body frame
+    mesh_options *mesh; // [count] what the law was solved with
 } section_known;
-status section_known_add(section_known *k, hash key, const beam_law *law);
+status section_known_add(section_known *k, hash key, const beam_law *law, const mesh_options *mesh);
 void section_known_free(section_known *k);
+
+// Most that a tolerance makes of a mesh: layers at corners beyond the default ones (more make
+// rounding larger than what they take), and elements for one of the default length.
+enum { SECTION_MOST_LAYERS = 4 };
+#define SECTION_MOST_FINER 6.0
 
 typedef struct section_case {
     mark at;
@@ -150,9 +156,10 @@ enum { SECTION_EFFORT_WORDS = 200 };
 const char *section_effort_words(const section_effort *e, char words[SECTION_EFFORT_WORDS]);
 
 typedef struct section_station {
-    double s;         // [m]
-    double turn_rate; // of the pattern, that K knows [rad/m]
-    beam_law law;     // in the body frame at s
+    double s;          // [m]
+    double turn_rate;  // of the pattern, that K knows [rad/m]
+    beam_law law;      // in the body frame at s
+    mesh_options mesh; // the law's: the case's, or what met the tolerance; not in the store
     beam_centres centres;
 } section_station;
 
@@ -178,8 +185,7 @@ void section_result_free(section_result *r);
 // and the mesh where one is needed. libraries false: not where the mesh would start one.
 status section_check(const section_case *c, const material *materials, double s, bool libraries);
 
-// The mesh at arclength s, for pictures and the segment; section_mesh_with: by other options than
-// the case's.
+// The mesh at arclength s; section_mesh_with: by other options than the case's, as a station's.
 status section_mesh_at(const section_case *c, double s, mesh *out);
 status section_mesh_with(const section_case *c, double s, const mesh_options *options, mesh *out);
 

@@ -52,7 +52,7 @@ static status make_mesh(const void *what, const mesh_options *options, mesh *out
 }
 
 // K on the mesh, and what the mesh leaves behind
-static status solve_on_mesh(const solver *q, beam_law *out)
+static status solve_on_mesh(const solver *q, beam_law *out, mesh_options *used)
 {
     const section_case *c = q->c;
     const bool drawn = q->p->drawn, warps = c->model != MODEL_CLASSICAL;
@@ -62,26 +62,28 @@ static status solve_on_mesh(const solver *q, beam_law *out)
         .mesh = make_mesh,
         .graded = drawn,
         .materials = warps ? q->materials : NULL,
+        .turning = warps && q->p->turn_rate != 0,
     };
     return c->tolerance > 0 && drawn && !(c->mesh.size > 0)
-               ? estimate_meet(&s, &c->mesh, c->mesh.order_chosen, c->tolerance, out)
+               ? estimate_meet(&s, &c->mesh, c->mesh.order_chosen, c->tolerance, out, used)
                : estimate_solve(&s, &c->mesh, out);
 }
 
 status section_solve_place(const section_case *c, const material *materials, const section_place *p,
-                           beam_law *out, bool *meshed)
+                           beam_law *out, section_used *used)
 {
     status st = OK;
     const solver q = {c, materials, p};
     bool closed = false;
     *out = (beam_law){0};
+    used->mesh = c->mesh;
     if (c->model == MODEL_CLASSICAL && p->drawn) {
         TRY(section_classical_closed(&p->outline, materials, out, &closed));
         beam_law_set_error(out, closed_rounding);
     }
-    *meshed = !closed;
+    used->meshed = !closed;
     if (!closed) {
-        TRY(solve_on_mesh(&q, out));
+        TRY(solve_on_mesh(&q, out, &used->mesh));
     }
     TRY(beam_law_check(out));
 
@@ -94,9 +96,9 @@ status section_solve(const section_case *c, const material *materials, double s,
 {
     status st = OK;
     section_place p = {0};
-    bool meshed = false;
+    section_used used;
     TRY(section_place_at(c, s, length, &p));
-    TRY(section_solve_place(c, materials, &p, out, &meshed));
+    TRY(section_solve_place(c, materials, &p, out, &used));
 
 done:
     section_place_free(&p);

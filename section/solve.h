@@ -5,10 +5,15 @@
 
 #include "section/place.h"
 
-// The law in the body frame at the place, of a pattern that turns there as it does. *meshed:
-// whether a mesh was made; false for closed forms.
+// What a law was solved on.
+typedef struct section_used {
+    bool meshed;       // false: closed form, no mesh was made
+    mesh_options mesh; // the case's, or what met its tolerance
+} section_used;
+
+// The law in the body frame at the place, of a pattern that turns there as it does.
 status section_solve_place(const section_case *c, const material *materials, const section_place *p,
-                           beam_law *out, bool *meshed);
+                           beam_law *out, section_used *used);
 
 // What the resolution of the section's file is worth: K of the place drawn at half of it against
 // `law`, relative; 0 where the file has none.

@@ -53,10 +53,11 @@ status stack_laws(section_store *store, double length, law_along *out)
         along.edge[k] = first[k] * layer;
     }
     for (int k = 0; k < count; k++) {
-        section_place p = {0};
-        TRY(section_store_law(store, law_along_node(&along, k, 0), &along.law[k], &p));
-        along.turn[k] = p.turn;
-        section_place_free(&p);
+        solved_section one = {0};
+        TRY(section_store_law(store, law_along_node(&along, k, 0), &one));
+        along.law[k] = one.turned;
+        along.turn[k] = one.place.turn;
+        section_place_free(&one.place);
     }
     *out = along;
     along = (law_along){0};

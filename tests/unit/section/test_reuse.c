@@ -56,11 +56,11 @@ static section_case lopsided(shape_spec shapes[3], double sign)
 
 static beam_law law_at(section_store *store, double s)
 {
-    beam_law law = {0};
-    section_place p = {0};
-    CHECK_OK(section_store_law(store, s, &law, &p));
-    law.K = beam_law_move(law.K, 0, 0, -p.turn);
-    section_place_free(&p);
+    solved_section one = {0};
+    CHECK_OK(section_store_law(store, s, &one));
+    beam_law law = one.turned;
+    law.K = beam_law_move(law.K, 0, 0, -one.place.turn);
+    section_place_free(&one.place);
     return law;
 }
 

@@ -1,6 +1,6 @@
 // tests/verify/section/campaign.h
-// The error estimate of every kind of section against its true error: a reference two levels finer,
-// with half the element length and two more layers towards corners.
+// The error estimate of every kind of section against its true error: a reference two levels finer
+// than the mesh at hand, with half the element length and two more layers towards corners.
 #pragma once
 
 #include "section/estimate.h"
@@ -21,7 +21,8 @@ typedef struct campaign {
 
 typedef struct measured {
     beam_law law;
-    double seconds; // CPU of this process: mesh of a mapped section, estimate and all
+    mesh_options mesh; // what it was solved with
+    double seconds;    // CPU of this process: mesh of a mapped section, estimate and all
 } measured;
 
 static inline double cpu_seconds(void)
@@ -34,26 +35,34 @@ static inline status sample_solve(const sample *s, const mesh_options *mesh, dou
 {
     status st = OK;
     section_case c = section_case_default();
-    c.shapes = (key_list){.count = s->nshape, .items = (void *)(size_t)s->shape};
-    c.nmaterial = 3;
+    section_place p = {.drawn = true, .scale = 1, .turn_rate = s->turn_rate};
+    material bound[SAMPLE_MATERIALS];
+    section_used used = {0};
     c.mesh = *mesh;
     c.tolerance = tolerance;
+    for (int i = 0; i < SAMPLE_MATERIALS; i++) {
+        bound[i] = s->material[i];
+        TRY(bound[i].name ? material_bind(&bound[i]) : OK);
+    }
+    TRY(shapes_at((shape_list){.count = s->nshape, .items = s->shape}, 0, &p.outline));
     const double begin = cpu_seconds();
-    TRY(section_solve(&c, s->material, 0, 0, &out->law));
+    TRY(section_solve_place(&c, bound, &p, &out->law, &used));
     out->seconds = cpu_seconds() - begin;
 
 done:
+    out->mesh = used.mesh;
+    section_place_free(&p);
     return st;
 }
 
 // the reference's own error is the law's, an order of magnitude below what it judges
-static inline status sample_reference(const sample *s, beam_law *out)
+static inline status sample_reference(const sample *s, const mesh_options *judged, beam_law *out)
 {
     status st = OK;
     measured m = {0};
     mesh_options fine = mesh_options_default();
-    fine.finer = 2;
-    fine.layers = 2;
+    fine.finer = 2 * fmax(judged->finer, 1);
+    fine.layers = judged->layers + 2;
     TRY(sample_solve(s, &fine, 0, &m));
     *out = m.law;
 
