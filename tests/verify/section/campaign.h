@@ -62,7 +62,9 @@ static inline status sample_reference(const sample *s, const mesh_options *judge
     measured m = {0};
     mesh_options fine = mesh_options_default();
     fine.finer = 2 * fmax(judged->finer, 1);
-    fine.layers = judged->layers + 2;
+    // more of them than a tolerance ever asks for are finer than gmsh can draw
+    fine.layers =
+        judged->layers + 2 < SECTION_MOST_LAYERS ? judged->layers + 2 : SECTION_MOST_LAYERS;
     TRY(sample_solve(s, &fine, 0, &m));
     *out = m.law;
 
