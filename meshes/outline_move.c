@@ -47,7 +47,7 @@ static void move_curves(const outline_motion *m, curve_loop a)
 // axes of the section turn with it; a mirror has no meaning for them
 static void move_frame(const outline_motion *m, outline *o)
 {
-    if (m->angle != 0 && !o->has_frame) {
+    if ((m->angle != 0 || m->turning) && !o->has_frame) {
         o->frame = material_frame_make(0, 0);
         o->has_frame = true;
     }

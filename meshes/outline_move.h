@@ -8,6 +8,8 @@ typedef struct outline_motion {
     bool mirror;  // first: y -> -y
     double scale; // then
     double angle; // then, counter-clockwise [rad]
+    bool turning; // the angle varies along the rod: axes of the section turn with it also where it
+                  // is 0
 } outline_motion;
 
 void section_outline_move(section_outline *o, const outline_motion *motion);

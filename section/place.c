@@ -37,13 +37,14 @@ static status finite_turn(const section_case *c, double s, double *turn, double 
 static status draw(const section_case *c, double s, section_outline *out, bool *found)
 {
     status st = OK;
-    outline_motion motion = {0};
+    // at the place where the turn is 0 the materials' axes belong to the section as elsewhere
+    outline_motion motion = {.turning = field_varies(&c->turn)};
     *found = true;
     TRY(finite_turn(c, s, &motion.angle, &motion.scale));
     TRY(c->drawing
             ? drawing_outline(c->drawing, out, found)
             : shapes_at((shape_list){.count = c->shapes.count, .items = c->shapes.items}, s, out));
-    if (*found && (motion.angle != 0 || motion.scale != 1)) {
+    if (*found && (motion.turning || motion.angle != 0 || motion.scale != 1)) {
         section_outline_move(out, &motion);
     }
 

@@ -185,6 +185,45 @@ static void recalled(void)
     section_result_free(&second);
 }
 
+// Materials along the section's own axes turn with the whole section, also at the place where its
+// turn is 0: one pattern, one rate, one solve.
+static void section_axes_turn_with_the_section(void)
+{
+    shape_spec shape = {
+        .rectangle = {.at = {1, 1}, .width = field_constant(4e-3), .height = field_constant(1e-3)}};
+    section_case c = section_case_default();
+    section_store store = {0};
+    material ply = {.E1 = 100e6,
+                    .E2 = 20e6,
+                    .E3 = 10e6,
+                    .G12 = 8e6,
+                    .G13 = 6e6,
+                    .G23 = 4e6,
+                    .nu12 = 0.25,
+                    .nu13 = 0.3,
+                    .nu23 = 0.35,
+                    .fibre_angle = 0.5};
+    CHECK_OK(material_bind(&ply));
+    c.nmaterial = 1;
+    c.shapes = (key_list){.count = 1, .items = &shape};
+    c.mesh.order = 2;
+    c.turn = (field){.at = half_turn};
+    CHECK_OK(section_store_make(&c, &ply, length, &store));
+    const double at[] = {0, 0.05, 0.12};
+    const mat6 first = law_at(&store, at[0]).K;
+    for (int i = 0; i < 3; i++) {
+        section_place p = {0};
+        CHECK_OK(section_store_place(&store, at[i], &p));
+        CHECK_NEAR(p.turn_rate, pi / length, 1e-9);
+        CHECK(!p.uneven);
+        const mat6 back = beam_law_move(law_at(&store, at[i]).K, 0, 0, p.turn);
+        CHECK(mat6_relative_error(back, first) < 1e-12);
+        section_place_free(&p);
+    }
+    CHECK(store.effort.nsolved == 1);
+    section_store_free(&store);
+}
+
 int main(void)
 {
     scaled_copies();
@@ -193,5 +232,6 @@ int main(void)
     rates();
     rates_tell_sections_apart();
     recalled();
+    section_axes_turn_with_the_section();
     return test_failures != 0;
 }
