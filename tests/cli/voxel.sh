@@ -36,4 +36,23 @@ rm "$work/slice_07.png"
 expect 2 "$program" check "$work/voxel_stack.yaml"
 err 'no slice 7, although there is a slice 8'
 expect 2 "$program" check "$stack/voxel_stack.yaml" --set section.png.layer_mm=0
+# the order that a case names is the order of its image's elements; order 2 is what an image has without one
+cat >"$work/order.yaml" <<EOF
+format: 1
+materials: {soft: {E_MPa: 0.66, nu: 0.3}, stiff: {E_MPa: 15.93, nu: 0.3}}
+section:
+  png:
+    file: $stack/slice_00.png
+    pitch_mm: [0.084, 0.084]
+    parts: [{colour: '#ff0000', material: soft}, {colour: '#00ff00', material: stiff}]
+EOF
+torsion() {
+    awk '$1 == "0.000" && NF > 7 { print $8; exit }' "$work/out"
+}
+expect 0 "$program" section "$work/order.yaml"
+none=$(torsion)
+expect 0 "$program" section "$work/order.yaml" --set section.mesh.order=2
+[ -n "$none" ] && [ "$(torsion)" = "$none" ] || fail "order 2 gives $(torsion), none $none"
+expect 0 "$program" section "$work/order.yaml" --set section.mesh.order=1
+[ "$(torsion)" != "$none" ] || fail 'order 1 is not heard'
 finish
