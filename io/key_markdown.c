@@ -27,6 +27,16 @@ static void put_limits(FILE *stream, const key *k, const unit *u)
     }
 }
 
+// headings are linked to with hyphens for spaces
+static void put_link(FILE *stream, const char *name)
+{
+    (void)fprintf(stream, " [%s](#", name);
+    for (const char *p = name; *p; p++) {
+        (void)fputc(*p == ' ' ? '-' : *p, stream);
+    }
+    (void)fputc(')', stream);
+}
+
 static void put_value(FILE *stream, const key *k)
 {
     static const char *const kinds[] = {
@@ -36,7 +46,7 @@ static void put_value(FILE *stream, const key *k)
         [KEY_TEXT] = "text",
         [KEY_NAME] = "name",
         [KEY_FIELD] = "number or expression in s",
-        [KEY_PLACE] = "number or expression in x, y and s",
+        [KEY_PLACE] = "number or expression in x, y and s, all in metres",
         [KEY_TABLE] = "map of",
         [KEY_LIST] = "list of",
         [KEY_NAMED] = "map from names to",
@@ -55,7 +65,7 @@ static void put_value(FILE *stream, const key *k)
         (void)fputs(kinds[k->kind], stream);
     }
     if (k->table) {
-        (void)fprintf(stream, " [%s](#%s)", k->table->name, k->table->name);
+        put_link(stream, k->table->name);
     }
     put_limits(stream, k, units);
 }
