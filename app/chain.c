@@ -111,6 +111,7 @@ status chain_run(const command *cmd, const case_data *c, chain_parts parts, run_
     run_result r = {0};
     TRY(chain_about(cmd, c, &r));
     if (parts.section || parts.rod || parts.compare) {
+        TRY(warn_materials(cmd, c));
         command_progress(cmd, "section");
         TRY(chain_section(c, parts.pictures, &r));
         TRY(chain_points(c, &r));

@@ -18,9 +18,14 @@ static status write_check(const command *cmd, const case_data *c, FILE *stream)
     const int ntendon = c->file.rod.tendons.count, nload = c->file.fem.loads.count;
     if (!cmd->json) {
         const int nrow = c->file.rod.tensions.nrow;
-        fprintf(stream, "%s: good: %d material%s, %d shape%s", config_path(c->config), c->nmaterial,
-                plural(c->nmaterial), c->file.section.shapes.count,
-                plural(c->file.section.shapes.count));
+        const int nshape = c->file.section.shapes.count;
+        fprintf(stream, "%s: good: %d material%s, ", config_path(c->config), c->nmaterial,
+                plural(c->nmaterial));
+        if (c->file.section.drawing) {
+            fprintf(stream, "a section from a file");
+        } else {
+            fprintf(stream, "%d shape%s", nshape, plural(nshape));
+        }
         if (case_has_rod(c)) {
             fprintf(stream, ", rod of %g mm with %d tendon%s and %d row%s of tensions",
                     1e3 * c->file.rod.length, ntendon, plural(ntendon), nrow, plural(nrow));
@@ -60,6 +65,7 @@ status cmd_check(command *cmd)
         st = section_check(&c.file.section, c.materials, 0.5 * i * c.length, i == 0);
         TRY(case_place(&c, st, c.file.section.at));
     }
+    TRY(warn_materials(cmd, &c));
     TRY(case_has_rod(&c) ? warn_tendons(cmd, &c) : OK);
     TRY(case_has_segment(&c) ? warn_segment(cmd, &c) : OK);
     TRY(document_begin(&d));

@@ -14,6 +14,10 @@ static const double EDGE_ROUNDING = 1e-9;
 // section falls by e within about half a radius, and by 50 over two from either end.
 static const double SHORTEST_FREE_MIDDLE = 4;
 
+// A modulus written over x or y that changes by less than this part over the section was most
+// likely meant in another unit.
+static const double HARDLY_GRADED = 1e-3;
+
 static void warn_at(const command *cmd, const case_data *c, mark at, const char *format, ...)
     __attribute__((format(printf, 4, 5)));
 
@@ -64,6 +68,42 @@ static status warn_tendon(const command *cmd, const case_data *c, const tendon_s
             warn_at(cmd, c, t->at, "tendon %s runs at %.6g mm, outside the section (%.6g mm)%s",
                     name, 1e3 * away, 1e3 * reach, where);
             break;
+        }
+    }
+
+done:
+    return st;
+}
+
+// E at the four ends of the section's axes and at its origin: its range over its mean
+static double change_of(const material *m, double reach)
+{
+    static const double place[5][2] = {{0, 0}, {1, 0}, {-1, 0}, {0, 1}, {0, -1}};
+    double low = INFINITY, high = -INFINITY;
+    for (int i = 0; i < 5; i++) {
+        const double E = place_field_at(&m->modulus, reach * place[i][0], reach * place[i][1]);
+        low = fmin(low, E);
+        high = fmax(high, E);
+    }
+    return (high - low) / fabs((high + low) / 2);
+}
+
+status warn_materials(const command *cmd, const case_data *c)
+{
+    status st = OK;
+    double reach = 0;
+    for (int i = 0; i < c->nmaterial; i++) {
+        const material *m = &c->materials[i];
+        if (!material_is_graded(m)) {
+            continue;
+        }
+        TRY(section_reach(c, 0, &reach));
+        if (change_of(m, reach) < HARDLY_GRADED) {
+            warn_at(
+                cmd, c, m->at,
+                "E of '%s' is given over x or y, but changes by less than %g over the section: x "
+                "and y are metres",
+                m->name, HARDLY_GRADED);
         }
     }
 

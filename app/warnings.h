@@ -6,6 +6,9 @@
 #include "app/case.h"
 #include "app/command.h"
 
+// A modulus over x or y that hardly changes over the section: its x and y are metres.
+status warn_materials(const command *cmd, const case_data *c);
+
 // Tendons outside of the section. ERR_INPUT where the section cannot be drawn.
 status warn_tendons(const command *cmd, const case_data *c);
 

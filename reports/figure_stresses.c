@@ -14,7 +14,7 @@
 enum { MOST_ROWS_SHOWN = 4 };
 
 // Cells of one colour, at most: a picture of more is slow to show, and ParaView has them all.
-enum { MOST_CELLS = 10000 };
+enum { MOST_CELLS = 10000, MOST_CELLS_OF_ONE = 60000 };
 
 static const double side = 28, head = 70, row_height = 330, panel_width = 462, bar = 13;
 
@@ -207,6 +207,9 @@ status figure_stresses(const run_result *r, const char *dir)
     };
     if (2 * s.nrow * cell_count(&a->nodes) > MOST_CELLS) {
         s.nrow = (int)(MOST_CELLS / (2 * cell_count(&a->nodes)));
+    }
+    if (s.nrow == 0 && 2 * cell_count(&a->nodes) <= MOST_CELLS_OF_ONE && a->nload > 0) {
+        s.nrow = 1; // rather slow than none
     }
     if (s.nrow == 0) {
         return OK;

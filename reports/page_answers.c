@@ -109,7 +109,9 @@ static status loads(bytes *page, const run_result *r, const char *dir)
     if (r->nanswer == 0 || r->answer[0].nload == 0) {
         return OK;
     }
-    PAGE("<h3>Strain and stress under wrenches</h3>\n");
+    PAGE("<h3>Strain and stress under wrenches</h3>\n<p>The picture shows the first wrenches, as "
+         "many "
+         "as its mesh allows; result.hdf holds the fields of all.</p>\n");
     TRY(page_figure(page, dir, "stresses",
                     "Largest principal strain and von Mises stress; rings mark each material's "
                     "largest."));

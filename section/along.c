@@ -231,7 +231,7 @@ static status add_station(section_store *store, double s, axis_memory *axis, sec
     new->s = s;
     TRY(section_store_law(store, s, &one));
     new->turn_rate = p->turn_rate;
-    new->law = beam_law_turn(one.turned, -p->turn);
+    new->law = one.body;
     new->mesh = one.mesh;
     if (p->has_symmetry) {
         TRY(beam_law_centres_near(&new->law, p->turn, &new->centres));
@@ -280,7 +280,9 @@ static status own_stations(section_store *store, section_result *r)
     const law_along *along = &r->along;
     if (along->npanel * along->nnode == 1) {
         TRY(TAKE(r->station, 1));
-        return add_station(store, 0, &axis, r);
+        TRY(add_station(store, 0, &axis, r));
+        store->effort.nsame = 0; // the same one, asked for at its beginning
+        goto done;
     }
     TRY(TAKE(r->station, (size_t)along->npanel * (size_t)along->nnode));
     for (int k = 0; k < along->npanel; k++) {

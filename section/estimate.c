@@ -288,6 +288,17 @@ static const char *what_dominates(const trial *t, double tolerance)
                                     : "the elements' size";
 }
 
+// Half the step from the options that did to those that failed; false where nothing lies between.
+static bool half_way(const mesh_options *did, mesh_options *o)
+{
+    const int layers = did->layers + (o->layers - did->layers) / 2;
+    const double from = did->finer > 0 ? did->finer : 1, finer = sqrt(from * o->finer);
+    const bool any = layers != o->layers || o->finer > least_at_once * from;
+    o->layers = layers;
+    o->finer = o->finer > least_at_once * from ? finer : o->finer;
+    return any && (layers != did->layers || o->finer > from || o->order != did->order);
+}
+
 status estimate_meet(const mesh_solver *s, const mesh_options *options, bool free_order,
                      double tolerance, beam_law *out, mesh_options *used)
 {
@@ -301,9 +312,10 @@ status estimate_meet(const mesh_solver *s, const mesh_options *options, bool fre
     for (int k = 0; k < MOST_TRIES && more && !(best.law.relative_error <= tolerance); k++) {
         const status one = try_options(s, &o, &t);
         if (one != OK && k > 0 && one != ERR_RESOURCE) {
-            // no finer mesh can be made or solved: what was reached counts
+            // no such mesh can be made or solved: a smaller step, and else what was reached counts
             status_clear();
-            break;
+            more = half_way(used, &o);
+            continue;
         }
         TRY(one);
         if (t.law.relative_error < best.law.relative_error) {

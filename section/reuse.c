@@ -209,6 +209,9 @@ static status find(section_store *store, solved_section *out, bool *found)
             out->turned.K = carried(known->turned.K, &k);
             out->turned.area *= k.scale * k.scale;
             out->mesh = known->mesh;
+            // the very same section: a turn to the pattern and back would widen its bounds
+            const bool same = k.scale == 1 && !k.mirror && out->place.turn == known->place.turn;
+            out->body = same ? known->body : beam_law_turn(out->turned, -out->place.turn);
             count_reuse(&store->effort, &known->place, &out->place, &k);
         }
     }
@@ -275,7 +278,8 @@ static status solve_new(section_store *store, solved_section *out)
     status st = OK;
     TRY(make_room(store));
     TRY(solve_or_recall(store, &out->place, &out->turned, &out->mesh));
-    out->turned = beam_law_turn(out->turned, out->place.turn);
+    out->body = out->turned;
+    out->turned = beam_law_turn(out->body, out->place.turn);
 
     solved_section *new = &store->solved[store->count];
     *new = *out;

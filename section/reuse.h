@@ -7,6 +7,7 @@
 
 typedef struct solved_section {
     section_place place;
+    beam_law body;     // in the body frame at place.s
     beam_law turned;   // in the frame that is turned by place.turn
     mesh_options mesh; // what it was solved with
 } solved_section;

@@ -110,7 +110,18 @@ static inline stress_case stress_strip(double part)
     return c;
 }
 
-// a film of another material on a bar: EA is the sum, EI and the rest from the finer mesh
+// stretch and bending of a rectangle about the origin, its centre at (0, y); exact with one
+// Poisson's ratio all over the section
+static inline void add_bar(mat6 *K, double E, double width, double height, double y)
+{
+    const double A = width * height;
+    K->a[NZ][NZ] += E * A;
+    K->a[NZ][MX] = K->a[MX][NZ] += E * A * y;
+    K->a[MX][MX] += E * A * (height * height / 12 + y * y);
+    K->a[MY][MY] += E * A * width * width / 12;
+}
+
+// a film of another material on a bar: stretch and bending are sums, the rest from the finer mesh
 static inline stress_case stress_film(double part)
 {
     stress_case c = {
@@ -121,11 +132,14 @@ static inline stress_case stress_film(double part)
     sample_add(&c.s, a_rectangle(10e-3, 4e-3, 0, 0, 0, 0));
     sample_add(&c.s, a_rectangle(10e-3, t, 0, 0, 2e-3 + t / 2, 1));
     c.K = nothing_known();
+    c.K.a[NZ][NZ] = c.K.a[MX][MX] = c.K.a[MY][MY] = 0;
+    add_bar(&c.K, 1e6, 10e-3, 4e-3, 0);
+    add_bar(&c.K, 1e8, 10e-3, t, 2e-3 + t / 2);
     return c;
 }
 
-// true error over the entries that are known, relative as (6.1), and the largest against its
-// estimate, beyond what the truth says of its own error
+// true error over the entries that are known, relative as (6.1), less what the truth says of its
+// own, and the largest against its estimate
 static inline double stress_error(const beam_law *law, mat6 truth, const mat6 *own, double *worst)
 {
     double error = 0;
@@ -133,10 +147,10 @@ static inline double stress_error(const beam_law *law, mat6 truth, const mat6 *o
     for (int i = 0; i < 36; i++) {
         const int r = i / 6, c = i % 6;
         const double size = sqrt(truth.a[r][r] * truth.a[c][c]);
-        const double e = fabs(law->K.a[r][c] - truth.a[r][c]) / size;
+        const double e = fabs(law->K.a[r][c] - truth.a[r][c]) / size - own->a[r][c];
         if (isfinite(e)) {
             error = fmax(error, e);
-            *worst = fmax(*worst, (e - own->a[r][c]) / law->entry_error.a[r][c]);
+            *worst = fmax(*worst, e / law->entry_error.a[r][c]);
         }
     }
     return error;
@@ -152,6 +166,20 @@ static inline status stress_solve(const stress_case *c, bool fine, beam_law *out
     return section_solve(&q, c->s.material, 0, 0, out);
 }
 
+// the finer mesh's K, and the closed form where there is one, which has no error of its own
+static inline mat6 with_known(beam_law *fine, const mat6 *known)
+{
+    for (int i = 0; i < 6; i++) {
+        for (int j = 0; j < 6; j++) {
+            if (isfinite(known->a[i][i]) && isfinite(known->a[j][j])) {
+                fine->K.a[i][j] = known->a[i][j];
+                fine->entry_error.a[i][j] = 0;
+            }
+        }
+    }
+    return fine->K;
+}
+
 static inline void stress_row(const stress_case *c, stress_count *count)
 {
     beam_law law = {0}, fine = {0};
@@ -165,7 +193,7 @@ static inline void stress_row(const stress_case *c, stress_count *count)
     }
     mat6 truth = c->K;
     if (c->from_finer && stress_solve(c, true, &fine) == OK) {
-        truth = fine.K;
+        truth = with_known(&fine, &c->K);
     }
     status_clear();
     double worst = 0;
