@@ -16,7 +16,7 @@ static const double SHORTEST_FREE_MIDDLE = 4;
 
 // A modulus written over x or y that changes by less than this part over the section was most
 // likely meant in another unit.
-static const double HARDLY_GRADED = 1e-3;
+static const double HARDLY_GRADED = 1e-2;
 
 static void warn_at(const command *cmd, const case_data *c, mark at, const char *format, ...)
     __attribute__((format(printf, 4, 5)));

@@ -51,6 +51,13 @@ expect 2 "$program" section "$work/negative.yaml"
 one_line
 err "$work/negative.yaml:4:3: error: material 'soft': E = -"
 
+# x and y are metres: who writes millimetres is told, and only then
+sed 's/1 + 100\*x/1 + x/' "$work/ply.yaml" >"$work/hardly.yaml"
+expect 0 "$program" section "$work/hardly.yaml"
+err "warning: E of 'soft' is given over x or y, but changes by less than 0.01"
+expect 0 "$program" section "$work/ply.yaml"
+grep -q 'changes by less' "$work/err" && fail 'a graded material is taken for a mistake'
+
 # the 3D segment says what it does not take, before it is computed
 printf 'fem:\n  length_mm: 30\n  loads: [{name: pull, force_N: [0, 0, 1]}]\n' >>"$work/ply.yaml"
 expect 2 "$program" check "$work/ply.yaml"
