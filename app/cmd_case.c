@@ -67,7 +67,7 @@ static status do_study(command *cmd, const study *what)
 
     TRY(command_case(cmd, &c));
     recall_sections(cmd, &known);
-    c.file.section.known = &known;
+    c.file.section.known = cmd->out ? &known : NULL; // without a result nobody keeps them
     TRY(what->need ? what->need(&c) : OK);
     TRY(save_check(cmd));
     chain_parts parts = what->parts(&c);

@@ -249,8 +249,10 @@ static status solve_or_recall(section_store *store, const section_place *p, beam
     bool comparable = false;
     section_used used = {0};
     const section_case *c = store->request;
-    TRY(section_fingerprint(c, store->materials, p, &key, &comparable));
-    const int found = comparable && c->known ? section_known_find(c->known, key) : -1;
+    if (c->known) { // else nobody recalls or keeps anything
+        TRY(section_fingerprint(c, store->materials, p, &key, &comparable));
+    }
+    const int found = comparable ? section_known_find(c->known, key) : -1;
     if (found >= 0) {
         *law = c->known->law[found];
         used = (section_used){true, as_then(c, &c->known->mesh[found])};

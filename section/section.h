@@ -67,7 +67,8 @@ typedef struct section_case {
     // by section_case_bind
     int nmaterial;
     drawing *drawing;           // the open file; NULL: shapes
-    const section_known *known; // the caller's; NULL: nothing is
+    const section_known *known; // the caller's, from an earlier run; NULL: nobody asks, and nothing
+                                // is kept for the next run either
 } section_case;
 
 extern const key_table section_keys; // `section`
@@ -171,7 +172,7 @@ typedef struct section_result {
     double resolution; // of an image: how far K of its first slice moves where its pixels are twice
                        // as wide, relative as in (6.1); 0: no image
     section_effort effort;
-    section_known solved; // for the next run
+    section_known solved; // for the next run, where the case has `known`
 } section_result;
 
 // length: the rod's (or the segment's where there is no rod). Chooses stations by the decay of

@@ -171,6 +171,8 @@ static void recalled(void)
     shape_spec shapes[3];
     section_case c = lopsided(shapes, 1);
     section_result first = {0}, second = {0};
+    const section_known nothing = {0};
+    c.known = &nothing;
     CHECK_OK(section_along(&c, two, length, &first));
     CHECK(first.effort.nsolved == 1 && first.solved.count == 1);
     c.known = &first.solved;

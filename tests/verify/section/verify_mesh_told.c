@@ -64,7 +64,9 @@ int main(void)
     sample_make(14, &s); // an angle: the tolerances need different meshes
     for (int i = 0; i < 3; i++) {
         section_case c = case_of(&s, wrenches, tolerance[i]);
+        const section_known nothing = {0};
         told first = {0}, again = {0};
+        c.known = &nothing;
         tell(&c, s.material, &first);
         const mesh_options *used = &first.r.station[0].mesh;
         printf("tolerance %.0e: order %d, %d layers more, %.2f times finer, %d nodes\n",
