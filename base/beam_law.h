@@ -17,6 +17,8 @@ enum { NX, NY, NZ, MX, MY, MZ };
 typedef struct beam_law {
     mat6 K;                // symmetric positive definite [N, N m, N m^2]
     double area;           // [m^2]
+    double mass;           // per length [kg/m]; 0 where no density is known
+    double mass_centre[2]; // [m]
     double relative_error; // the largest of
     mat6 entry_error;      // estimates of |K - K_exact|_ij / sqrt(K_ii K_jj)
 } beam_law;

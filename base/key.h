@@ -7,19 +7,10 @@
 #pragma once
 
 #include "base/field.h"
+#include "base/mark.h"
 
 #include <stdbool.h>
 #include <stddef.h>
-
-// A place in the case file; line 0 means: not given, the defaults stand.
-typedef struct mark {
-    int line, column; // from 1
-} mark;
-
-static inline bool mark_given(mark m)
-{
-    return m.line > 0;
-}
 
 typedef enum key_kind {
     KEY_REAL,    // double

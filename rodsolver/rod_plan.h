@@ -1,12 +1,13 @@
 // rodsolver/rod_plan.h
 // A quadrature plan: all that a solve needs at the stations of its panels, computed before any
-// tension is known. Panels come in pairs of equal length; edges of law_along's panels and tendon
-// ends are edges of pairs, so that everything is smooth inside a pair. Three Gauss stations per
-// panel, in order of s.
+// tension or load is known. Panels come in pairs of equal length; edges of law_along's panels,
+// tendon ends, kinks, point loads and ends of line loads are edges of pairs, so that everything is
+// smooth inside a pair. Three Gauss stations per panel, in order of s.
 #pragma once
 
 #include "rodsolver/lie_step.h"
 #include "rodsolver/local_problem.h"
+#include "rodsolver/rod.h"
 
 enum { PAIR_STATIONS = 2 * GAUSS_STATIONS, ROD_PROBES = 4, ROD_MAX_PLANS = 20 };
 
@@ -21,6 +22,12 @@ typedef struct plan_tendon {
     double critical_at;  // ... and where [m]
 } plan_tendon;
 
+// A load per reference arclength at one station, at factor 1.
+typedef struct line_station {
+    vec3 force, moment; // [N/m, N], in the world or in the frame of the solve, as the load says
+    double x, y;        // where the force acts, seen from the frame of the solve [m]
+} line_station;
+
 typedef struct plan {
     int npair, nstation; // nstation = 6 npair
     double *pair_edge;   // [npair][2] [m]
@@ -29,14 +36,23 @@ typedef struct plan {
     double *rest;        // [6][nstation] xi* in that frame
     centre_frame *frame; // [nstation], FRAME_NC only
     plan_tendon *tendon; // [ntendon]
+    line_station **line; // [nline_load + gravity] [nstation], zero outside the load's stretch
+    int *point_panel;    // [npoint_load] the panel (of 2 npair) at whose right end the load acts
+    bool uniform;        // nothing varies inside any pair: one station and one exponential each
+                         // would do for tensions alone
 } plan;
 
 struct rod {
     const law_along *law;
     rod_options options;
     double length; // [m]
-    int ntendon;
-    tendon_spec *spec; // [ntendon], with .end > 0
+    rest_shape rest;
+    double gravity[3];
+    int ntendon, npoint_load, nline_load; // gravity is a line load more where it is not zero
+    bool has_gravity;
+    tendon_spec *spec;       // [ntendon], with .end > 0
+    point_load *point_loads; // [npoint_load], with .s <= length
+    line_load *line_loads;   // [nline_load], with .to > 0
     int nbreak;
     double *breaks; // [nbreak] edges of smooth stretches, from 0 to length
     pose base, tip; // of the solve's frame in the geometric frame, at both ends: T(0), T(L)
@@ -46,16 +62,23 @@ struct rod {
     int nplan;
     plan plans[ROD_MAX_PLANS];  // from coarse to fine
     int first_plan[ROD_PROBES]; // the plan to begin with, by the share of the critical tension
+    double doubt; // factor >= 1 on every estimate of the chain, from a comparison of plans
+};
 
-    double doubt; // factor >= 1 on every estimate, from a comparison of plans
+typedef struct equilibrium equilibrium; // rodsolver/equilibrium.h
 
-    // the last solution
-    const plan *solved; // NULL: none
-    double tension[ROD_MAX_TENDONS];
-    int active[ROD_MAX_TENDONS]; // tendons that pull
+struct rod_state {
+    const rod *rod;
+    const plan *solved; // NULL: at rest
+    double *tension;    // [ntendon] at the base
+    int *active;        // [nactive] tendons that pull
     int nactive;
-    double *xi;      // [6][nstation]
+    double *xi;      // [6][nstation] in the solve's frame
     pose *pair_pose; // [npair + 1] in the solve's frame, from its base
+    pose base;       // of the rod in the world
+    local_problem local; // room for ntendon tendons
+    equilibrium *loaded; // rods under load; made with the state
+    bool by_load;        // the last answer is one of `loaded`
 };
 
 // Shares of the critical tension at which rod_make tries its plans.
@@ -64,9 +87,9 @@ extern const double rod_probe_share[ROD_PROBES];
 // Stations for about `npanel` panels over the rod, at least two in every smooth stretch. r->plans
 // is not touched.
 status plan_make(const struct rod *r, int npanel, plan *out);
-void plan_free(plan *p, int ntendon);
+void plan_free(plan *p, const struct rod *r);
 
-// A plan behind the others, and room for its solution: plans are added from coarse to fine.
+// A plan behind the others.
 status plan_add(struct rod *r, int npanel);
 
 // As many plans as r->options.tolerance needs, first_plan and doubt.
@@ -78,5 +101,6 @@ pose centre_frame_pose(const centre_frame *f);
 // K and xi* at s, in the solve's frame or the geometric centre's; frame is NULL for the latter.
 void station_law(const struct rod *r, double s, const centre_frame *frame, mat6 *K, vec6 *rest);
 
-// Solves on one plan; out->relative_error is the estimate, whatever it is.
-status solve_on_plan(struct rod *r, const plan *p, rod_solution *out);
+// Solves on one plan under tensions alone (state->tension, active); out->relative_error is the
+// estimate, whatever it is.
+status solve_on_plan(rod_state *state, const plan *p, rod_solution *out);
