@@ -136,7 +136,10 @@ beam_law beam_law_turn(beam_law law, double angle)
         *e /= sqrt(K.a[i / 6][i / 6] * K.a[i % 6][i % 6]);
         most = *e <= most ? most : *e;
     }
+    const double x = law.mass_centre[0], y = law.mass_centre[1];
     law.K = K;
+    law.mass_centre[0] = cos(angle) * x + sin(angle) * y;
+    law.mass_centre[1] = cos(angle) * y - sin(angle) * x;
     law.entry_error = E;
     law.relative_error = most;
     return law;

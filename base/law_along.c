@@ -72,18 +72,29 @@ static int panel_of(const law_along *along, double s)
     return low;
 }
 
-static local_law interpolate(const law_along *along, double s, bool slopes)
+// Of the panel at s, clipped to the rod, what each node counts: for the value and, where slope is
+// not NULL, for the derivative along s. The panel's first node.
+static int node_weights(const law_along *along, double s, double *value, double *slope)
 {
     const double clipped = fmin(fmax(s, 0), along->length);
     const int panel = panel_of(along, clipped), n = along->nnode;
     const double a = along->edge[panel], b = along->edge[panel + 1];
+    chebyshev_weights(n, (2 * clipped - a - b) / (b - a), value, slope);
+    for (int i = 0; i < n && slope; i++) {
+        slope[i] *= 2 / (b - a);
+    }
+    return panel * n;
+}
+
+static local_law interpolate(const law_along *along, double s, bool slopes)
+{
     double value[LAW_ALONG_MAX_NODES], slope[LAW_ALONG_MAX_NODES] = {0};
-    chebyshev_weights(n, (2 * clipped - a - b) / (b - a), value, slopes ? slope : NULL);
+    const int first = node_weights(along, s, value, slopes ? slope : NULL);
 
     local_law l = {0};
-    for (int i = 0; i < n; i++) {
-        const int node = panel * n + i;
-        const double rate = slope[i] * 2 / (b - a);
+    for (int i = 0; i < along->nnode; i++) {
+        const int node = first + i;
+        const double rate = slope[i];
         l.turn += value[i] * along->turn[node];
         l.dturn += rate * along->turn[node];
         for (int j = 0; j < 36; j++) {
@@ -122,6 +133,32 @@ void law_along_at(const law_along *along, double s, mat6 *K, mat6 *dK)
         // K_g = R K R^T, R' = turn' R Z, and Z^T = -Z: docs/theory.md (2.8)
         *dK = turned(mat6_add(l.dK, mat6_scale(l.dturn, turning(l.K))), l.turn);
     }
+}
+
+double law_along_mass(const law_along *along, double s, double centre[2])
+{
+    double value[LAW_ALONG_MAX_NODES], mass = 0, turn = 0, x = 0, y = 0;
+    const int first = node_weights(along, s, value, NULL);
+    for (int i = 0; i < along->nnode; i++) {
+        const beam_law *law = &along->law[first + i];
+        mass += value[i] * law->mass;
+        x += value[i] * law->mass_centre[0];
+        y += value[i] * law->mass_centre[1];
+        turn += value[i] * along->turn[first + i];
+    }
+    centre[0] = cos(turn) * x - sin(turn) * y;
+    centre[1] = sin(turn) * x + cos(turn) * y;
+    return mass;
+}
+
+bool law_along_has_mass(const law_along *along)
+{
+    for (int i = 0; i < along->npanel * along->nnode; i++) {
+        if (!(along->law[i].mass > 0)) {
+            return false;
+        }
+    }
+    return true;
 }
 
 // B of beam_law_axial_bending and its derivative

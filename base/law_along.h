@@ -30,8 +30,12 @@ double law_along_node(const law_along *along, int panel, int i);
 // to [0, length]. K_g(s) = R(turn) K(s) R(turn)^T, differentiated as such.
 void law_along_at(const law_along *along, double s, mat6 *K, mat6 *dK);
 
-// Mass per length [kg/m] and its centre [m] in the unturned body frame.
+// Mass per length [kg/m] and its centre [m] in the unturned body frame; s is clipped to [0,
+// length].
 double law_along_mass(const law_along *along, double s, double centre[2]);
+
+// Whether the mass is known everywhere: every material of the rod has a density.
+bool law_along_has_mass(const law_along *along);
 
 // The stiffness-centre frame T(s) = (R_z(phi), p_nc) and its derivative along s; phi continuous
 // from the first station.

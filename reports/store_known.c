@@ -39,6 +39,8 @@ static status pass_rows(const passage *p, int n, known_row *rows)
         {"key", COLUMN_INT, "-", offsetof(known_row, key), 1, {PARTS}, PART_MOST},
         {"K", COLUMN_REAL, STIFFNESS_UNIT, offsetof(known_row, law.K), 2, {6, 6}, 0},
         {"area_m2", COLUMN_POSITIVE, "m^2", offsetof(known_row, law.area), 0, {0}, 0},
+        {"mass_kg_per_m", COLUMN_REAL, "kg/m", offsetof(known_row, law.mass), 0, {0}, 0},
+        {"mass_centre_m", COLUMN_REAL, "m", offsetof(known_row, law.mass_centre), 1, {2}, 0},
         {"relative_error", COLUMN_ANY, "-", offsetof(known_row, law.relative_error), 0, {0}, 0},
         {"mesh_order", COLUMN_INT, "-", offsetof(known_row, order), 0, {0}, ELEMENT_MAX_ORDER},
         {"mesh_layers", COLUMN_INT, "-", offsetof(known_row, layers), 0, {0}, SECTION_MOST_LAYERS},

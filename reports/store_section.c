@@ -10,6 +10,8 @@ static status pass_stations(const passage *p, run_result *r)
         {"s_m", COLUMN_REAL, "m", STATION(s), 0, {0}, 0},
         {"turn_rate_rad_per_m", COLUMN_REAL, "rad/m", STATION(turn_rate), 0, {0}, 0},
         {"area_m2", COLUMN_POSITIVE, "m^2", STATION(law.area), 0, {0}, 0},
+        {"mass_kg_per_m", COLUMN_REAL, "kg/m", STATION(law.mass), 0, {0}, 0},
+        {"mass_centre_m", COLUMN_REAL, "m", STATION(law.mass_centre), 1, {2}, 0},
         {"K", COLUMN_REAL, STIFFNESS_UNIT, STATION(law.K), 2, {6, 6}, 0},
         {"relative_error", COLUMN_ANY, "-", STATION(law.relative_error), 0, {0}, 0},
         {"K_relative_error", COLUMN_ANY, "-", STATION(law.entry_error), 2, {6, 6}, 0},
@@ -63,6 +65,8 @@ static status pass_along(const passage *p, law_along *a)
     static const column laws[] = {
         {"K", COLUMN_REAL, STIFFNESS_UNIT, offsetof(beam_law, K), 2, {6, 6}, 0},
         {"area_m2", COLUMN_POSITIVE, "m^2", offsetof(beam_law, area), 0, {0}, 0},
+        {"mass_kg_per_m", COLUMN_REAL, "kg/m", offsetof(beam_law, mass), 0, {0}, 0},
+        {"mass_centre_m", COLUMN_REAL, "m", offsetof(beam_law, mass_centre), 1, {2}, 0},
         {"law_relative_error", COLUMN_ANY, "-", offsetof(beam_law, relative_error), 0, {0}, 0},
     };
     static const column length = {"length_m", COLUMN_POSITIVE, "m", 0, 0, {0}, 0};

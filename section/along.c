@@ -1,6 +1,6 @@
 // section/along.c
-#include "base/chebyshev.h"
 #include "base/memory.h"
+#include "section/along_error.h"
 #include "section/reuse.h"
 #include "section/section.h"
 #include "section/stack.h"
@@ -48,43 +48,6 @@ done:
     return st;
 }
 
-// the two last Chebyshev coefficients, which bound what the next ones add where they decay
-static double tail(int n, const double *value)
-{
-    double coefficient[LAW_ALONG_MAX_NODES];
-    chebyshev_coefficients(n, value, coefficient);
-    return fmax(fabs(coefficient[n - 1]), fabs(coefficient[n - 2]));
-}
-
-// interpolation error of one panel: K relative as in (6.1), by the panel's smallest diagonal
-static double stiffness_error(const law_along *along, int panel)
-{
-    const int n = along->nnode;
-    const beam_law *law = along->law + (size_t)panel * (size_t)n;
-    double value[LAW_ALONG_MAX_NODES], size[6], most = 0;
-    for (int i = 0; i < 6; i++) {
-        size[i] = INFINITY;
-        for (int k = 0; k < n; k++) {
-            size[i] = fmin(size[i], law[k].K.a[i][i]);
-        }
-    }
-    for (int i = 0; i < 6; i++) {
-        for (int j = i; j < 6; j++) {
-            for (int k = 0; k < n; k++) {
-                value[k] = law[k].K.a[i][j];
-            }
-            most = fmax(most, tail(n, value) / sqrt(size[i] * size[j]));
-        }
-    }
-    return most;
-}
-
-// a turn off by an angle [rad] puts K off by at most about that
-static double turn_error(const law_along *along, int panel)
-{
-    return tail(along->nnode, along->turn + (size_t)panel * (size_t)along->nnode);
-}
-
 // the interpolant against a section solved between the nodes
 static status probe(section_store *store, const law_along *along, int panel, double *miss)
 {
@@ -93,9 +56,7 @@ static status probe(section_store *store, const law_along *along, int panel, dou
     const double a = along->edge[panel], b = along->edge[panel + 1];
     const double s = a + probe_place * (b - a);
     TRY(section_store_law(store, s, &one));
-    mat6 K;
-    law_along_at(along, s, &K, NULL);
-    *miss = mat6_relative_error(K, beam_law_move(one.turned.K, 0, 0, -one.place.turn));
+    *miss = along_miss(along, s, &one.turned, one.place.turn);
 
 done:
     section_place_free(&one.place);
@@ -137,10 +98,9 @@ static bool confirmed(const law_along *coarse, const law_along *fine, double all
     for (int k = 0; k < fine->npanel; k++) {
         for (int i = 1; i < fine->nnode; i += 2) {
             const int node = k * fine->nnode + i;
-            mat6 K;
-            law_along_at(coarse, law_along_node(fine, k, i), &K, NULL);
-            const mat6 seen = beam_law_move(fine->law[node].K, 0, 0, -fine->turn[node]);
-            if (!(mat6_relative_error(K, seen) <= probe_slack * promised)) {
+            const double s = law_along_node(fine, k, i);
+            const double miss = along_miss(coarse, s, &fine->law[node], fine->turn[node]);
+            if (!(miss <= probe_slack * promised)) {
                 return false;
             }
         }
@@ -156,10 +116,10 @@ static status judge(section_store *store, const law_along *coarse, law_along *al
     *worst = (judgement){0};
     along->relative_error = 0;
     for (int k = 0; k < along->npanel; k++) {
-        const double stiffness = stiffness_error(along, k), turn = turn_error(along, k);
-        keep_worst(worst, stiffness, allowed, k);
+        const double law = along_law_error(along, k), turn = along_turn_error(along, k);
+        keep_worst(worst, law, allowed, k);
         keep_worst(worst, turn, tolerance, k);
-        along->relative_error = fmax(along->relative_error, fmax(stiffness, turn));
+        along->relative_error = fmax(along->relative_error, fmax(law, turn));
     }
     const bool believed = worst->ratio <= 1 && confirmed(coarse, along, allowed);
     for (int k = 0; k < along->npanel && worst->ratio <= 1 && !believed; k++) {

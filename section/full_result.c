@@ -52,6 +52,13 @@ status full_law(warping_problem *p, const full_solution *s, beam_law *out)
         .area = p->area * a * a,
         .relative_error = miss,
     };
+    const mass_sum mass = {
+        .unknown = p->mass.unknown,
+        .one = a * a * p->mass.one,
+        .x = a * a * a * p->mass.x,
+        .y = a * a * a * p->mass.y,
+    };
+    mass_into_law(&mass, p->plane.centre, out);
 
 done:
     return st;

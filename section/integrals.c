@@ -4,7 +4,7 @@
 enum { ZZ = 2, YZ = 3, XZ = 4 };
 
 // docs/theory.md (2.9)
-static rod_moduli moduli_of_stiffness(mat6 Q)
+static rod_moduli moduli_of_stiffness(mat6 Q, double density)
 {
     mat6 S = {0};
     if (!mat6_inverse_spd(Q, &S)) { // material_bind let it pass
@@ -12,17 +12,23 @@ static rod_moduli moduli_of_stiffness(mat6 Q)
     }
     const double xz = S.a[XZ][XZ], yz = S.a[YZ][YZ], both = S.a[XZ][YZ];
     const double det = xz * yz - both * both;
-    return (rod_moduli){.E = 1 / S.a[ZZ][ZZ], .Gx = yz / det, .Gy = xz / det, .Gxy = -both / det};
+    return (rod_moduli){
+        .E = 1 / S.a[ZZ][ZZ],
+        .Gx = yz / det,
+        .Gy = xz / det,
+        .Gxy = -both / det,
+        .density = density,
+    };
 }
 
 rod_moduli rod_moduli_of(const material *m, const material_frame *frame)
 {
     if (m->kind == MATERIAL_ISOTROPIC) {
         const double G = material_shear_modulus(m);
-        return (rod_moduli){.E = m->E, .Gx = G, .Gy = G};
+        return (rod_moduli){.E = m->E, .Gx = G, .Gy = G, .density = m->density};
     }
-    return moduli_of_stiffness(frame ? material_stiffness_along(m, frame->axes)
-                                     : material_stiffness(m));
+    const mat6 Q = frame ? material_stiffness_along(m, frame->axes) : material_stiffness(m);
+    return moduli_of_stiffness(Q, m->density);
 }
 
 rod_moduli rod_moduli_turned(const rod_moduli *m, double c, double s)
@@ -32,6 +38,7 @@ rod_moduli rod_moduli_turned(const rod_moduli *m, double c, double s)
         .Gx = c * c * m->Gx + s * s * m->Gy - 2 * c * s * m->Gxy,
         .Gy = s * s * m->Gx + c * c * m->Gy + 2 * c * s * m->Gxy,
         .Gxy = c * s * (m->Gx - m->Gy) + (c * c - s * s) * m->Gxy,
+        .density = m->density,
     };
 }
 
@@ -52,6 +59,7 @@ void integrals_add(section_integrals *sum, const moments *piece, const rod_modul
     moments_add(&sum->Gx, grade * m->Gx, piece);
     moments_add(&sum->Gy, grade * m->Gy, piece);
     moments_add(&sum->Gxy, grade * m->Gxy, piece);
+    mass_add(&sum->mass, m->density, piece->one, piece->x, piece->y);
 }
 
 // docs/theory.md (2.3) and (2.5), in axes parallel to x and y: K does not care for the principal
@@ -78,5 +86,6 @@ status integrals_law(const section_integrals *i, beam_law *out)
         .K = beam_law_move(K, -(i->centre[0] + x), -(i->centre[1] + y), 0),
         .area = i->area,
     };
+    mass_into_law(&i->mass, i->centre, out);
     return OK;
 }

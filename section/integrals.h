@@ -5,6 +5,7 @@
 
 #include "base/beam_law.h"
 #include "base/material.h"
+#include "section/mass.h"
 
 typedef struct moments {
     double one, x, y, xx, yy, xy; // int, int x, int y, int x^2, int y^2, int x y
@@ -15,6 +16,7 @@ typedef struct moments {
 typedef struct rod_moduli {
     double E;           // of zz [Pa]
     double Gx, Gy, Gxy; // of xz, of yz, and what couples the two
+    double density;     // [kg/m^3]; 0: not known
 } rod_moduli;
 
 // In the section's axes; of a polar frame in its local ones. frame NULL: the section's own.
@@ -26,6 +28,7 @@ rod_moduli rod_moduli_turned(const rod_moduli *m, double c, double s);
 typedef struct section_integrals {
     double area; // [m^2]
     moments E, Gx, Gy, Gxy;
+    mass_sum mass;
     double centre[2]; // the point that x and y are taken from, in the section's frame [m]
 } section_integrals;
 

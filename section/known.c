@@ -12,9 +12,9 @@ static void add_frame(hash *h, const material_frame *f)
 
 static void add_material(hash *h, const material *m)
 {
-    const double constants[] = {m->E,    m->nu,          m->E1,         m->E2,   m->E3,
-                                m->G12,  m->G13,         m->G23,        m->nu12, m->nu13,
-                                m->nu23, m->fibre_angle, m->plane_angle};
+    const double constants[] = {m->E,    m->nu,      m->E1,          m->E2,         m->E3,
+                                m->G12,  m->G13,     m->G23,         m->nu12,       m->nu13,
+                                m->nu23, m->density, m->fibre_angle, m->plane_angle};
     hash_int(h, m->kind);
     hash_reals(h, (int)(sizeof constants / sizeof *constants), constants);
     hash_reals(h, m->stiffness.nrow * m->stiffness.ncol, m->stiffness.a);

@@ -33,6 +33,23 @@ static mat6 mass_matrix(const moments *m)
     }};
 }
 
+void mass_add(mass_sum *sum, double density, double area, double x, double y)
+{
+    sum->unknown = sum->unknown || !(density > 0);
+    sum->one += density * area;
+    sum->x += density * x;
+    sum->y += density * y;
+}
+
+void mass_into_law(const mass_sum *sum, const double centre[2], beam_law *law)
+{
+    if (!sum->unknown && sum->one > 0) {
+        law->mass = sum->one;
+        law->mass_centre[0] = centre[0] + sum->x / sum->one;
+        law->mass_centre[1] = centre[1] + sum->y / sum->one;
+    }
+}
+
 status section_mass_of(const mesh *m, const material *materials, section_mass *out)
 {
     status st = OK;

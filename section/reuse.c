@@ -169,16 +169,20 @@ done:
     return st;
 }
 
-// K of b from K of a, both in frames that are turned with their patterns: lengths scale, and in a
-// mirror y -> -y the strains gamma_y, kappa_x and tau change their signs.
-static mat6 carried(mat6 K, const section_likeness *k)
+// The law of b from that of a, both in frames that are turned with their patterns: lengths scale,
+// and in a mirror y -> -y the strains gamma_y, kappa_x and tau change their signs.
+static beam_law carried(beam_law law, const section_likeness *k)
 {
     const double sign = k->mirror ? -1 : 1, a = k->scale;
     const double factor[6] = {a, sign * a, a, sign * a * a, a * a, sign * a * a};
     for (int i = 0; i < 36; i++) {
-        K.a[i / 6][i % 6] *= factor[i / 6] * factor[i % 6];
+        law.K.a[i / 6][i % 6] *= factor[i / 6] * factor[i % 6];
     }
-    return K;
+    law.area *= a * a;
+    law.mass *= a * a;
+    law.mass_centre[0] *= a;
+    law.mass_centre[1] *= sign * a;
+    return law;
 }
 
 static void count_reuse(section_effort *effort, const section_place *a, const section_place *b,
@@ -205,9 +209,7 @@ static status find(section_store *store, solved_section *out, bool *found)
         section_likeness k = {0};
         TRY(section_store_alike(store, &known->place, &out->place, &k, found));
         if (*found) {
-            out->turned = known->turned;
-            out->turned.K = carried(known->turned.K, &k);
-            out->turned.area *= k.scale * k.scale;
+            out->turned = carried(known->turned, &k);
             out->mesh = known->mesh;
             // the very same section: a turn to the pattern and back would widen its bounds
             const bool same = k.scale == 1 && !k.mirror && out->place.turn == known->place.turn;

@@ -35,6 +35,14 @@ typedef struct rigid_forces {
     double R[MOST][KEPT][3], L[MOST][KEPT][3]; // L with the rate
 } rigid_forces;
 
+static void add_mass(warping_problem *p, const plane_element *e)
+{
+    const double density = p->matter.materials[e->material].density;
+    for (int q = 0; q < e->npoint; q++) {
+        mass_add(&p->mass, density, e->dA[q], e->x[q] * e->dA[q], e->y[q] * e->dA[q]);
+    }
+}
+
 static void add_rigid_part(warping_problem *p, const plane_element *e, matter_element *at,
                            rigid_forces *local)
 {
@@ -93,6 +101,7 @@ static status add_elements(warping_problem *p, element_blocks *blocks)
             stiffness_add(&p->E, &e, blocks);
             add_rigid_part(p, &e, &at, &local);
             scatter_rigid_part(p, &e, &local);
+            add_mass(p, &e);
         }
     }
 

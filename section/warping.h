@@ -4,6 +4,7 @@
 // wrenches as in base/beam_law.h.
 #pragma once
 
+#include "section/mass.h"
 #include "section/matter.h"
 #include "section/plane.h"
 #include "section/stiffness.h"
@@ -15,9 +16,10 @@ enum { KEPT = 4, FIRST_KEPT = 2 };
 typedef struct warping_problem {
     plane plane;
     matter matter;
-    double rate; // at which the pattern turns, scaled
-    double area; // scaled
-    stiffness E; // pinned
+    double rate;   // at which the pattern turns, scaled
+    double area;   // scaled
+    mass_sum mass; // the same, about plane.centre
+    stiffness E;   // pinned
     stiffness_pins pins;
     double *R;    // [KEPT][3 nnode], zero at the pins
     double *wave; // [KEPT][3 nnode][2] R - i k L; NULL where nothing turns

@@ -122,8 +122,19 @@ static void bad_stiffness_is_refused(void)
     status_clear();
 }
 
+// seen from a frame turned by a quarter, the centre of mass is turned back by one
+static void mass_centre_turns_with_the_frame(void)
+{
+    beam_law law = {.K = mat6_identity(), .mass = 3, .mass_centre = {2, 1}};
+    const beam_law turned = beam_law_turn(law, acos(0));
+    CHECK(turned.mass == 3);
+    CHECK_WITHIN(turned.mass_centre[0], 1, 1e-15);
+    CHECK_WITHIN(turned.mass_centre[1], -2, 1e-15);
+}
+
 int main(void)
 {
+    mass_centre_turns_with_the_frame();
     move_adds_the_steiner_term();
     centres_find_what_the_section_was_made_of();
     shear_centre_of_the_constant_section();

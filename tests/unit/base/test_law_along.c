@@ -224,8 +224,35 @@ static void one_node_is_a_constant_and_s_is_clipped(void)
     law_along_free(&a);
 }
 
+// a cubic mass and a quadratic centre in a frame that turns: both are the interpolant's own
+static void mass_turns_with_the_pattern(void)
+{
+    law_along a = {0};
+    double centre[2];
+    CHECK_OK(law_along_make(length, 2, 4, &a));
+    CHECK(!law_along_has_mass(&a));
+    for (int i = 0; i < 8; i++) {
+        const double t = law_along_node(&a, i / 4, i % 4) / length;
+        a.law[i].mass = 2 + t - t * t * t;
+        a.law[i].mass_centre[0] = 1 + t * t;
+        a.law[i].mass_centre[1] = 0.5 * t;
+        a.turn[i] = 3 * t * t;
+    }
+    CHECK(law_along_has_mass(&a));
+    for (int i = -1; i <= 11; i++) {
+        const double t = fmin(fmax(i / 10.0, 0), 1), turn = 3 * t * t, x = 1 + t * t, y = 0.5 * t;
+        CHECK_NEAR(law_along_mass(&a, length * i / 10, centre), 2 + t - t * t * t, 1e-14);
+        CHECK_WITHIN(centre[0], x * cos(turn) - y * sin(turn), 1e-14);
+        CHECK_WITHIN(centre[1], x * sin(turn) + y * cos(turn), 1e-14);
+    }
+    a.law[5].mass = 0;
+    CHECK(!law_along_has_mass(&a));
+    law_along_free(&a);
+}
+
 int main(void)
 {
+    mass_turns_with_the_pattern();
     nodes_follow_the_header();
     law_converges_as_fast_as_an_entire_function_does();
     panels_converge_at_the_order_of_their_nodes();

@@ -68,7 +68,8 @@ static void make_meshes(mesh *plane, mesh *solid)
 
 static beam_law some_law(counter *c)
 {
-    beam_law law = {.area = 2e-5, .relative_error = 1e-9};
+    beam_law law = {
+        .area = 2e-5, .mass = 0.02, .mass_centre = {2e-4, -1e-4}, .relative_error = 1e-9};
     for (int i = 0; i < 6; i++) {
         c->x += 0.1;
         law.K.a[i][i] = 2 + sin(c->x);
