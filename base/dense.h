@@ -3,6 +3,7 @@
 // Matrices are stored by rows: a[row][column].
 #pragma once
 
+#include <math.h>
 #include <stdbool.h>
 
 typedef struct vec3 {
@@ -21,25 +22,131 @@ typedef struct mat6 {
     double a[6][6];
 } mat6;
 
-vec3 vec3_add(vec3 u, vec3 v);
-vec3 vec3_sub(vec3 u, vec3 v);
-vec3 vec3_scale(double c, vec3 v);
-vec3 vec3_cross(vec3 u, vec3 v);
-double vec3_dot(vec3 u, vec3 v);
-double vec3_norm(vec3 v);
+// --- small enough to be written out where they are used
 
-mat3 mat3_identity(void);
-mat3 mat3_mul(mat3 a, mat3 b);
-mat3 mat3_transpose(mat3 a);
-vec3 mat3_mul_vec(mat3 a, vec3 v);
-vec3 mat3_tmul_vec(mat3 a, vec3 v); // a^T v
-mat3 mat3_hat(vec3 v);              // hat(v) w = v x w
-mat3 mat3_rot_z(double angle);
+static inline vec3 vec3_add(vec3 u, vec3 v)
+{
+    return (vec3){{u.a[0] + v.a[0], u.a[1] + v.a[1], u.a[2] + v.a[2]}};
+}
 
-vec6 vec6_add(vec6 u, vec6 v);
-vec6 vec6_sub(vec6 u, vec6 v);
-vec6 vec6_scale(double c, vec6 v);
-double vec6_dot(vec6 u, vec6 v);
+static inline vec3 vec3_sub(vec3 u, vec3 v)
+{
+    return (vec3){{u.a[0] - v.a[0], u.a[1] - v.a[1], u.a[2] - v.a[2]}};
+}
+
+static inline vec3 vec3_scale(double c, vec3 v)
+{
+    return (vec3){{c * v.a[0], c * v.a[1], c * v.a[2]}};
+}
+
+static inline vec3 vec3_cross(vec3 u, vec3 v)
+{
+    return (vec3){{u.a[1] * v.a[2] - u.a[2] * v.a[1], u.a[2] * v.a[0] - u.a[0] * v.a[2],
+                   u.a[0] * v.a[1] - u.a[1] * v.a[0]}};
+}
+
+static inline double vec3_dot(vec3 u, vec3 v)
+{
+    return u.a[0] * v.a[0] + u.a[1] * v.a[1] + u.a[2] * v.a[2];
+}
+
+static inline double vec3_norm(vec3 v)
+{
+    return sqrt(vec3_dot(v, v));
+}
+
+static inline mat3 mat3_identity(void)
+{
+    return (mat3){{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+}
+
+static inline mat3 mat3_mul(mat3 a, mat3 b)
+{
+    mat3 c = {0};
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 3; j++) {
+            c.a[i][j] = a.a[i][0] * b.a[0][j] + a.a[i][1] * b.a[1][j] + a.a[i][2] * b.a[2][j];
+        }
+    }
+    return c;
+}
+
+static inline mat3 mat3_transpose(mat3 a)
+{
+    mat3 t = {0};
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 3; j++) {
+            t.a[i][j] = a.a[j][i];
+        }
+    }
+    return t;
+}
+
+static inline vec3 mat3_mul_vec(mat3 a, vec3 v)
+{
+    vec3 w = {0};
+    for (int i = 0; i < 3; i++) {
+        w.a[i] = a.a[i][0] * v.a[0] + a.a[i][1] * v.a[1] + a.a[i][2] * v.a[2];
+    }
+    return w;
+}
+
+// a^T v
+static inline vec3 mat3_tmul_vec(mat3 a, vec3 v)
+{
+    vec3 w = {0};
+    for (int i = 0; i < 3; i++) {
+        w.a[i] = a.a[0][i] * v.a[0] + a.a[1][i] * v.a[1] + a.a[2][i] * v.a[2];
+    }
+    return w;
+}
+
+// hat(v) w = v x w
+static inline mat3 mat3_hat(vec3 v)
+{
+    return (mat3){{{0, -v.a[2], v.a[1]}, {v.a[2], 0, -v.a[0]}, {-v.a[1], v.a[0], 0}}};
+}
+
+static inline mat3 mat3_rot_z(double angle)
+{
+    const double c = cos(angle), s = sin(angle);
+    return (mat3){{{c, -s, 0}, {s, c, 0}, {0, 0, 1}}};
+}
+
+static inline vec6 vec6_add(vec6 u, vec6 v)
+{
+    for (int i = 0; i < 6; i++) {
+        u.a[i] += v.a[i];
+    }
+    return u;
+}
+
+static inline vec6 vec6_sub(vec6 u, vec6 v)
+{
+    for (int i = 0; i < 6; i++) {
+        u.a[i] -= v.a[i];
+    }
+    return u;
+}
+
+static inline vec6 vec6_scale(double c, vec6 v)
+{
+    for (int i = 0; i < 6; i++) {
+        v.a[i] *= c;
+    }
+    return v;
+}
+
+static inline double vec6_dot(vec6 u, vec6 v)
+{
+    double sum = 0;
+    for (int i = 0; i < 6; i++) {
+        sum += u.a[i] * v.a[i];
+    }
+    return sum;
+}
+
+// --- 6x6
 
 mat6 mat6_identity(void);
 mat6 mat6_add(mat6 a, mat6 b);

@@ -45,20 +45,20 @@ typedef enum load_frame { LOAD_SPACE, LOAD_BODY } load_frame;
 
 typedef struct point_load {
     mark at;
-    const char *name;             // NULL where not given
-    double s;                     // where [m]; beyond the length: the tip
-    int frame;                    // load_frame
-    double force[3], moment[3];   // [N, N m]
-    double place[2];              // x, y in the section where the force acts [m]
+    const char *name;           // NULL where not given
+    double s;                   // where [m]; beyond the length: the tip
+    int frame;                  // load_frame
+    double force[3], moment[3]; // [N, N m]
+    double place[2];            // x, y in the section where the force acts [m]
 } point_load;
 
 typedef struct line_load {
     mark at;
     const char *name;
-    double from, to;            // arclengths [m]; to 0: the tip
-    int frame;                  // load_frame
-    field force[3], moment[3];  // per reference arclength [N/m, N]
-    field place[2];             // x, y in the section where the force acts [m]
+    double from, to;           // arclengths [m]; to 0: the tip
+    int frame;                 // load_frame
+    field force[3], moment[3]; // per reference arclength [N/m, N]
+    field place[2];            // x, y in the section where the force acts [m]
 } line_load;
 
 // xi* = (shear_x, shear_y, stretch, curvature_x, curvature_y, twist); all zero but stretch = 1: a
@@ -124,9 +124,9 @@ typedef struct rod_request {
     vec6 tip_space;        // wrench on the tip's centre, directions fixed in the world
     vec6 tip_body;         // wrench on the tip's centre, turning with the tip
     const pose *base;      // NULL: the identity
-    bool cold;             // from rest, not from the last answer: the same bits for the same request
-    bool past;             // follow the equilibria past limit points (arclength)
-    bool stability;        // the smallest eigenvalue too
+    bool cold;      // from rest, not from the last answer: the same bits for the same request
+    bool past;      // follow the equilibria past limit points (arclength)
+    bool stability; // the smallest eigenvalue too
 } rod_request;
 
 typedef enum critical_kind {
@@ -157,11 +157,11 @@ typedef struct rod_solution {
                            // rod at rest, 0 critical; NAN: not asked for, or no potential
     int ncritical;         // met on the way, the first ROD_MAX_CRITICAL of them kept
     rod_critical critical[ROD_MAX_CRITICAL];
-    double energy;         // stored by the strains [J]
-    double work;           // of dead loads and tendons on the way from rest, by the balance of
-                           // energies [J]: NAN where there is no potential
-    double residual;       // largest misfit of the local balance, in strain units over the largest
-                           // strain
+    double energy;   // stored by the strains [J]
+    double work;     // of dead loads and tendons on the way from rest, by the balance of
+                     // energies [J]: NAN where there is no potential
+    double residual; // largest misfit of the local balance, in strain units over the largest
+                     // strain
 } rod_solution;
 
 // The equilibrium reached by continuation, from the last answer or from rest.
@@ -196,12 +196,12 @@ status rod_wrench_at(const rod_state *state, double s, vec6 *wrench, double *ten
 // Derivatives of the pose at arclength s (and of tendon quantities) as body twists: column j is
 // (g^-1 dg/dx_j)^vee. Any pointer may be NULL.
 typedef struct rod_derivatives {
-    vec6 *tension;        // [ntendon] by the tensions; for tendons whose pull is given, 0
-    vec6 *pull;           // [ntendon] by the pulled lengths; for slack tendons and given tensions, 0
-    vec6 *load;           // [rod_load_count] by the loads' factors
-    mat6 *tip_space;      // by request.tip_space: the compliance at s to a wrench at the tip
-    mat6 *tip_body;       // by request.tip_body
-    mat6 *base;           // by the base's body twist: Ad(g(s)^-1 g(0)), loads fixed in space included
+    vec6 *tension;   // [ntendon] by the tensions; for tendons whose pull is given, 0
+    vec6 *pull;      // [ntendon] by the pulled lengths; for slack tendons and given tensions, 0
+    vec6 *load;      // [rod_load_count] by the loads' factors
+    mat6 *tip_space; // by request.tip_space: the compliance at s to a wrench at the tip
+    mat6 *tip_body;  // by request.tip_body
+    mat6 *base;      // by the base's body twist: Ad(g(s)^-1 g(0)), loads fixed in space included
     double *length_by_tension; // [ntendon][ntendon] of the tendons' lengths by tensions [m/N]
 } rod_derivatives;
 

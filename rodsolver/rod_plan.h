@@ -73,9 +73,9 @@ struct rod_state {
     double *tension;    // [ntendon] at the base
     int *active;        // [nactive] tendons that pull
     int nactive;
-    double *xi;      // [6][nstation] in the solve's frame
-    pose *pair_pose; // [npair + 1] in the solve's frame, from its base
-    pose base;       // of the rod in the world
+    double *xi;          // [6][nstation] in the solve's frame
+    pose *pair_pose;     // [npair + 1] in the solve's frame, from its base
+    pose base;           // of the rod in the world
     local_problem local; // room for ntendon tendons
     equilibrium *loaded; // rods under load; made with the state
     bool by_load;        // the last answer is one of `loaded`
