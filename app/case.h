@@ -8,6 +8,7 @@
 #include "fem/segment.h"
 #include "io/config.h"
 #include "rodsolver/rod.h"
+#include "rodsolver/rod_case.h"
 #include "section/section.h"
 
 // What the case file holds; a part is there where mark_given(part.at).

@@ -43,7 +43,7 @@ done:
     return st;
 }
 
-static status follow_curvature(const rod *r, int npoint, struct rod_run *run)
+static status follow_curvature(const rod_state *r, int npoint, struct rod_run *run)
 {
     status st = OK;
     for (int i = 0; i < npoint; i++) {
@@ -64,16 +64,12 @@ typedef struct samples {
 } samples;
 
 // K (xi - xi*) at the samples of the solution at hand, docs/theory.md (1.2)
-static status sample_wrenches(const rod *r, const law_along *law, int solution, samples *all)
+static status sample_wrenches(const rod_state *r, int solution, samples *all)
 {
     status st = OK;
     for (int i = 0; i < STRAIN_SAMPLES; i++) {
-        mat6 K;
-        vec6 xi;
-        TRY(rod_strain_at(r, all->s[i], &xi));
-        xi.a[2] -= 1;
-        law_along_at(law, all->s[i], &K, NULL);
-        all->wrench[(size_t)solution * STRAIN_SAMPLES + (size_t)i] = mat6_mul_vec(K, xi);
+        vec6 *wrench = &all->wrench[(size_t)solution * STRAIN_SAMPLES + (size_t)i];
+        TRY(rod_wrench_at(r, all->s[i], wrench, NULL));
     }
 
 done:
@@ -116,7 +112,7 @@ done:
     return st;
 }
 
-static status solve_run(rod *r, const double *tension, rod_result *rods, struct rod_run *run)
+static status solve_run(rod_state *r, const double *tension, rod_result *rods, struct rod_run *run)
 {
     status st = OK;
     double s[BEND_SAMPLES];
@@ -125,7 +121,7 @@ static status solve_run(rod *r, const double *tension, rod_result *rods, struct 
     TRY(TAKE(samples, BEND_SAMPLES));
     TRY(take_run(rods->npoint, run));
     memcpy(run->tension, tension, (size_t)rods->ntendon * sizeof *tension);
-    TRY(rod_solve(r, tension, &solution));
+    TRY(rod_solve(r, &(rod_request){.tension = tension, .cold = true}, &solution));
     TRY(rod_shape(r, rods->npoint, run->s, run->shape));
     TRY(rod_shape(r, BEND_SAMPLES, s, samples));
     TRY(follow_curvature(r, rods->npoint, run));
@@ -162,7 +158,10 @@ status chain_rods(const command *cmd, const case_data *c, run_result *out)
     status st = OK;
     const rod_case *rc = &c->file.rod;
     const rod_options options = {.frame = rc->frame, .tolerance = rc->tolerance};
+    const rod_spec spec = {
+        .law = &out->section.along, .ntendon = rc->tendons.count, .tendons = rc->tendons.items};
     rod *r = NULL;
+    rod_state *state = NULL;
     samples all = {0};
     if (rc->tendons.count > RESULT_MAX_TENDONS) {
         return config_fail(c->config, rc->tendons.at, "%d tendons: at most %d", rc->tendons.count,
@@ -176,23 +175,24 @@ status chain_rods(const command *cmd, const case_data *c, run_result *out)
     for (int i = 0; i < STRAIN_SAMPLES; i++) {
         all.s[i] = rc->length * i / (STRAIN_SAMPLES - 1);
     }
-    st = rod_make(&out->section.along, rc->tendons.count, rc->tendons.items, &options, &r);
-    TRY(case_place(c, st, rc->at));
+    TRY(case_place(c, rod_make(&spec, &options, &r), rc->at));
+    TRY(rod_state_make(r, &state));
     for (int i = 0; i < rc->tensions.nrow; i++) {
         char words[48];
         (void)snprintf(words, sizeof words, "rod %d of %d", i + 1, rc->tensions.nrow);
         command_progress(cmd, words);
         out->rod.nsolution = i + 1; // from here the result owns what solve_run takes
         const double *tension = rc->tensions.a + (size_t)i * (size_t)rc->tensions.ncol;
-        st = solve_run(r, tension, &out->rod, &out->rod.run[i]);
+        st = solve_run(state, tension, &out->rod, &out->rod.run[i]);
         TRY(case_place(c, st, rc->tensions.at));
-        TRY(sample_wrenches(r, &out->section.along, i, &all));
+        TRY(sample_wrenches(state, i, &all));
     }
     TRY(find_strains(c, &all, out));
     out->has_rod = true;
 
 done:
     free(all.wrench);
+    rod_state_free(state);
     rod_free(r);
     return st;
 }

@@ -18,14 +18,19 @@ static status frame_shape(const case_data *c, const run_result *r, int frame, do
     status st = OK;
     const rod_case *rc = &c->file.rod;
     const rod_options options = {.frame = frame, .tolerance = accuracy};
+    const rod_spec spec = {
+        .law = &r->section.along, .ntendon = rc->tendons.count, .tendons = rc->tendons.items};
     double s[FRAME_POINTS];
     rod *one = NULL;
+    rod_state *state = NULL;
     rod_solution solution = {0};
-    TRY(rod_make(&r->section.along, rc->tendons.count, rc->tendons.items, &options, &one));
-    TRY(rod_solve(one, tension, &solution));
-    TRY(rod_shape(one, FRAME_POINTS, s, shape));
+    TRY(rod_make(&spec, &options, &one));
+    TRY(rod_state_make(one, &state));
+    TRY(rod_solve(state, &(rod_request){.tension = tension}, &solution));
+    TRY(rod_shape(state, FRAME_POINTS, s, shape));
 
 done:
+    rod_state_free(state);
     rod_free(one);
     return st;
 }

@@ -63,13 +63,13 @@ static int compare(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-static status median_time(rod *r, const double *tension, rod_solution *out, double *median)
+static status median_time(rod_state *r, const double *tension, rod_solution *out, double *median)
 {
     status st = OK;
     static double time[REPEATS];
     for (int i = 0; i < REPEATS; i++) {
         const double start = microseconds();
-        TRY(rod_solve(r, tension, out));
+        TRY(rod_solve(r, &(rod_request){.tension = tension, .cold = true}, out));
         time[i] = microseconds() - start;
     }
     qsort(time, REPEATS, sizeof *time, compare);
@@ -85,15 +85,17 @@ typedef struct figure {
 } figure;
 
 static status solve_once(const law_along *law, int ntendon, const double *tension, double tolerance,
-                         rod **r, rod_solution *out)
+                         rod **r, rod_state **state, rod_solution *out)
 {
     status st = OK;
     const tendon_spec tendon[2] = {
         {.name = "1", .radius = field_constant(3.6e-3), .angle = field_constant(pi / 2)},
         {.name = "2", .radius = field_constant(3.6e-3), .angle = field_constant(-pi / 6)}};
     const rod_options options = {.frame = FRAME_GC, .tolerance = tolerance};
-    TRY(rod_make(law, ntendon, tendon, &options, r));
-    TRY(rod_solve(*r, tension, out));
+    const rod_spec spec = {.law = law, .ntendon = ntendon, .tendons = tendon};
+    TRY(rod_make(&spec, &options, r));
+    TRY(rod_state_make(*r, state));
+    TRY(rod_solve(*state, &(rod_request){.tension = tension, .cold = true}, out));
 
 done:
     return st;
@@ -104,15 +106,17 @@ static status measure(const law_along *law, int ntendon, const double *tension, 
 {
     status st = OK;
     rod *r = NULL;
+    rod_state *state = NULL;
     rod_solution solution = {0};
-    TRY(solve_once(law, ntendon, tension, tolerance, &r, &solution));
-    TRY(median_time(r, tension, &solution, &out->time));
+    TRY(solve_once(law, ntendon, tension, tolerance, &r, &state, &solution));
+    TRY(median_time(state, tension, &solution, &out->time));
     out->error = vec3_norm(vec3_sub(solution.tip.p, exact));
     out->estimate = solution.relative_error * length;
-    out->panels = rod_panel_count(r);
+    out->panels = rod_panel_count(state);
     out->steps = solution.iterations;
 
 done:
+    rod_state_free(state);
     rod_free(r);
     return st;
 }
@@ -122,9 +126,10 @@ static status table(const law_along *law, int ntendon, const double *tension, do
 {
     status st = OK;
     rod *r = NULL;
+    rod_state *state = NULL;
     rod_solution exact = {0};
     *quickest = HUGE_VAL;
-    TRY(solve_once(law, ntendon, tension, reference_tolerance, &r, &exact));
+    TRY(solve_once(law, ntendon, tension, reference_tolerance, &r, &state, &exact));
     printf("%d tendon%s\n%10s %7s %13s %13s %7s %9s\n", ntendon, ntendon > 1 ? "s" : "",
            "tolerance", "panels", "tip error m", "estimate m", "steps", "time us");
     for (double tolerance = 1e-3; tolerance > 1e-11; tolerance /= 10) {
@@ -139,6 +144,7 @@ static status table(const law_along *law, int ntendon, const double *tension, do
     }
 
 done:
+    rod_state_free(state);
     rod_free(r);
     return st;
 }

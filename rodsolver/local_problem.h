@@ -12,6 +12,8 @@ vec3 tendon_direction(const tendon_place *r, const vec6 *xi);
 // A^T f: the wrench of a force f at the tendon's place, (f, r x f).
 vec6 tendon_wrench(const tendon_place *r, vec3 f);
 
+enum { ROD_MAX_TENDONS = 16 };
+
 typedef enum local_outcome {
     LOCAL_SOLVED,
     LOCAL_EATEN,  // a tendon's |d| went to zero: no smooth minimum

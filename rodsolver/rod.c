@@ -1,83 +1,21 @@
 // rodsolver/rod.c
 #include "base/memory.h"
+#include "rodsolver/equilibrium.h"
 #include "rodsolver/rod_plan.h"
 
 #include <math.h>
-#include <string.h>
-
-// two edges nearer than this part of the length are one
-static const double same_edge = 1e-9;
-
-static status copy_tendons(rod *r, const tendon_spec *tendons)
-{
-    status st = OK;
-    TRY(TAKE(r->spec, (size_t)r->ntendon));
-    for (int i = 0; i < r->ntendon; i++) {
-        tendon_spec *t = &r->spec[i];
-        *t = tendons[i];
-        if (t->end == 0) {
-            t->end = r->length;
-        }
-        if (!(t->end > 0) || t->end > r->length * (1 + same_edge)) {
-            TRY(status_fail(ERR_INPUT, "rod: tendon '%s' ends at %g m, outside the rod of %g m",
-                            t->name ? t->name : "?", t->end, r->length));
-        }
-    }
-
-done:
-    return st;
-}
-
-static int compare_reals(const void *a, const void *b)
-{
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
-// edges of the law's panels, ends of tendons and kinks of their paths, sorted, each once
-static status find_breaks(rod *r)
-{
-    status st = OK;
-    const int nedge = r->law->npanel + 1;
-    const size_t most = (size_t)nedge + (size_t)r->ntendon * (1 + ROUTING_MAX_KINKS);
-    TRY(TAKE(r->breaks, most));
-    memcpy(r->breaks, r->law->edge, (size_t)nedge * sizeof *r->breaks);
-    size_t n = (size_t)nedge;
-    for (int i = 0; i < r->ntendon; i++) {
-        r->breaks[n++] = r->spec[i].end;
-        n += (size_t)routing_kinks(&r->spec[i], r->breaks + n);
-    }
-    qsort(r->breaks, n, sizeof *r->breaks, compare_reals);
-    for (size_t i = 0; i < n; i++) {
-        if (r->nbreak == 0 || r->breaks[i] - r->breaks[r->nbreak - 1] > same_edge * r->length) {
-            r->breaks[r->nbreak++] = r->breaks[i];
-        }
-    }
-    r->breaks[0] = 0;
-    r->breaks[r->nbreak - 1] = r->length;
-
-done:
-    return st;
-}
 
 static void end_frames(rod *r)
 {
     if (r->options.frame == FRAME_NC) {
-        centre_frame f;
         const plan *p = &r->plans[r->nplan - 1];
-        law_along_centre_frame(r->law, 0, p->frame[0].phi, &f);
-        r->base = centre_frame_pose(&f);
-        law_along_centre_frame(r->law, r->length, p->frame[p->nstation - 1].phi, &f);
-        r->tip = centre_frame_pose(&f);
+        r->base = centre_frame_pose(&p->node_frame[0]);
+        r->tip = centre_frame_pose(&p->node_frame[2 * p->npair]);
     }
 }
 
-static status check_options(const law_along *law, int ntendon, const rod_options *options)
+static status check_options(const law_along *law, const rod_options *options)
 {
-    if (ntendon < 0 || ntendon > ROD_MAX_TENDONS) {
-        return status_fail(ERR_INPUT, "rod: %d tendons, at most %d are possible", ntendon,
-                           ROD_MAX_TENDONS);
-    }
     if (options->npanel <= 0 && !(options->tolerance >= ROD_MIN_TOLERANCE)) {
         return status_fail(ERR_INPUT, "rod: tolerance %g is below the rounding limit %g",
                            options->tolerance, ROD_MIN_TOLERANCE);
@@ -91,24 +29,19 @@ static status check_options(const law_along *law, int ntendon, const rod_options
     return OK;
 }
 
-status rod_make(const law_along *law, int ntendon, const tendon_spec *tendons,
-                const rod_options *options, rod **out)
+status rod_make(const rod_spec *spec, const rod_options *options, rod **out)
 {
     status st = OK;
     rod *r = NULL;
-    TRY(check_options(law, ntendon, options));
+    TRY(check_options(spec->law, options));
     TRY(TAKE(r, 1));
-    r->law = law;
     r->options = *options;
-    r->length = law->length;
-    r->ntendon = ntendon;
     r->doubt = 1;
     r->base = r->tip = pose_identity();
     for (int i = 0; i < GAUSS_STATIONS; i++) {
         lie_pair_weights(2 * gauss_point[i], r->pair_weight[i]);
     }
-    TRY(copy_tendons(r, tendons));
-    TRY(find_breaks(r));
+    TRY(rod_copy_spec(r, spec));
     if (options->npanel > 0) {
         TRY(plan_add(r, options->npanel));
     } else {
@@ -129,18 +62,75 @@ void rod_free(rod *r)
         return;
     }
     for (int i = 0; i < r->nplan; i++) {
-        plan_free(&r->plans[i], r->ntendon);
+        plan_free(&r->plans[i], r);
     }
     free(r->spec);
+    free(r->point_loads);
+    free(r->line_loads);
+    free(r->acts);
     free(r->breaks);
-    free(r->xi);
-    free(r->pair_pose);
     free(r);
 }
 
-int rod_panel_count(const rod *r)
+status state_take(const struct rod *r, rod_state *out)
 {
-    const plan *p = r->solved ? r->solved : &r->plans[r->first_plan[ROD_PROBES - 1]];
+    status st = OK;
+    rod_state s = {.rod = r, .base = pose_identity()};
+    const plan *finest = &r->plans[r->nplan - 1];
+    TRY(TAKE(s.tension, (size_t)r->ntendon));
+    TRY(TAKE(s.active, (size_t)r->ntendon));
+    TRY(TAKE(s.xi, 6 * (size_t)finest->nstation));
+    TRY(TAKE(s.pair_pose, (size_t)finest->npair + 1));
+    *out = s; // ownership passes only when all is well
+    s = (rod_state){0};
+
+done:
+    state_give_back(&s);
+    return st;
+}
+
+void state_give_back(rod_state *state)
+{
+    free(state->tension);
+    free(state->active);
+    free(state->xi);
+    free(state->pair_pose);
+    *state = (rod_state){0};
+}
+
+status rod_state_make(const rod *r, rod_state **out)
+{
+    status st = OK;
+    rod_state *s = NULL;
+    TRY(TAKE(s, 1));
+    TRY(state_take(r, s));
+    TRY(equilibrium_make(r, &s->loaded));
+    *out = s; // ownership passes only when all is well
+    s = NULL;
+
+done:
+    rod_state_free(s);
+    return st;
+}
+
+void rod_state_free(rod_state *state)
+{
+    if (state) {
+        equilibrium_free(state->loaded);
+        state_give_back(state);
+        free(state);
+    }
+}
+
+int rod_load_count(const rod *r)
+{
+    return r->npoint_load + r->nline_load + r->has_gravity;
+}
+
+int rod_panel_count(const rod_state *state)
+{
+    const rod *r = state->rod;
+    const plan *p = state->solved ? state->solved : &r->plans[r->first_plan[ROD_PROBES - 1]];
     return 2 * p->npair;
 }
 
@@ -151,4 +141,27 @@ double rod_critical_tension(const rod *r, int tendon, double *s)
         *s = t->critical_at;
     }
     return t->critical;
+}
+
+static size_t plan_bytes(const rod *r, const plan *p)
+{
+    const size_t n = (size_t)p->nstation, npanel = 2 * (size_t)p->npair;
+    size_t bytes = n * (sizeof *p->s + sizeof *p->K + 6 * sizeof *p->rest) +
+                   npanel * sizeof *p->pair_edge + (size_t)r->ntendon * sizeof *p->tendon;
+    bytes += p->frame ? n * sizeof *p->frame + (npanel + 1) * sizeof *p->node_frame : 0;
+    for (int i = 0; i < r->ntendon; i++) {
+        const plan_tendon *t = &p->tendon[i];
+        bytes += (size_t)t->nstation * (sizeof *t->place + SECULAR_ROWS * sizeof *t->row);
+    }
+    bytes += (size_t)(r->nline_load + r->has_gravity) * (sizeof *p->line + n * sizeof **p->line);
+    return bytes + (size_t)r->npoint_load * sizeof *p->point_panel;
+}
+
+size_t rod_plan_bytes(const rod *r, int nstation)
+{
+    int k = 0;
+    while (k < r->nplan - 1 && r->plans[k].nstation < nstation) {
+        k++;
+    }
+    return plan_bytes(r, &r->plans[k]);
 }

@@ -17,6 +17,9 @@
 #include "base/se3.h"
 #include "base/status.h"
 
+#include <stdbool.h>
+#include <stddef.h>
+
 // --- what the rod is
 
 // A path through given points: an interpolating or, where smooth > 0, a least-squares spline.

@@ -1,5 +1,5 @@
 // rodsolver/rod_keys.c
-#include "rodsolver/rod.h"
+#include "rodsolver/rod_case.h"
 
 static const key tendon_key_list[] = {
     {.name = "name",
@@ -59,7 +59,7 @@ static const key rod_key_list[] = {
      .about = "of the unloaded geometric centreline"},
     {.name = "tendons",
      .kind = KEY_LIST,
-     .max_count = ROD_MAX_TENDONS,
+     .max_count = ROD_CASE_TENDONS,
      .offset = offsetof(rod_case, tendons),
      .table = &tendon_keys,
      .about = "tendons, in the order of the tensions"},

@@ -8,16 +8,8 @@
 status plan_add(rod *r, int npanel)
 {
     status st = OK;
-    plan *p = &r->plans[r->nplan];
-    TRY(plan_make(r, npanel, p));
+    TRY(plan_make(r, npanel, &r->plans[r->nplan]));
     r->nplan++;
-    r->solved = NULL;
-    free(r->xi);
-    free(r->pair_pose);
-    r->xi = NULL;
-    r->pair_pose = NULL;
-    TRY(TAKE(r->xi, 6 * (size_t)p->nstation));
-    TRY(TAKE(r->pair_pose, (size_t)p->npair + 1));
 
 done:
     return st;
@@ -36,22 +28,41 @@ enum { PLANS_IN_RESERVE = 2 };
 static const double rounding = 1e-14;
 
 // tendon i alone, or all together for i = ntendon, at a share of what each can pull alone
-static void set_probe(rod *r, int i, double share)
+static void set_probe(rod_state *state, int i, double share)
 {
+    const rod *r = state->rod;
     const plan *p = &r->plans[r->nplan - 1];
-    r->nactive = 0;
+    state->nactive = 0;
     for (int j = 0; j < r->ntendon; j++) {
-        r->tension[j] = 0;
+        state->tension[j] = 0;
         if (i == j || i == r->ntendon) {
-            r->tension[j] = share * p->tendon[j].critical / (i == j ? 1 : r->ntendon);
-            r->active[r->nactive++] = j;
+            state->tension[j] = share * p->tendon[j].critical / (i == j ? 1 : r->ntendon);
+            state->active[state->nactive++] = j;
         }
     }
 }
 
-static status plan_at(rod *r, int level)
+// the plan, and room for its answers beside the load that the state stands for
+static status plan_at(rod *r, int level, rod_state *state)
 {
-    return level < r->nplan ? OK : plan_add(r, panel_count[level]);
+    status st = OK;
+    rod_state larger = {0};
+    if (level >= r->nplan) {
+        TRY(plan_add(r, panel_count[level]));
+        TRY(state_take(r, &larger));
+        larger.nactive = state->nactive;
+        for (int i = 0; i < state->nactive; i++) {
+            larger.active[i] = state->active[i];
+        }
+        for (int i = 0; state->tension && i < r->ntendon; i++) {
+            larger.tension[i] = state->tension[i];
+        }
+        state_give_back(state);
+        *state = larger;
+    }
+
+done:
+    return st;
 }
 
 // A step of order 6 makes the estimate of what two plans differ by 63 times smaller; without that
@@ -70,29 +81,33 @@ static bool confirmed(rod *r, const rod_solution *coarse, const rod_solution *fi
     return false;
 }
 
+static bool solves(rod_state *state, const plan *p, rod_solution *out)
+{
+    if (solve_on_plan(state, p, out) != OK) {
+        // such a load is refused when it is asked for
+        status_clear();
+        return false;
+    }
+    return true;
+}
+
 // raises *level until the estimate of this probe meets the tolerance and the next plan confirms it
-static status probe(rod *r, int load, double share, int *level)
+static status probe(rod *r, rod_state *state, int load, double share, int *level)
 {
     status st = OK;
     // once: the critical tension that a plan sees depends on its stations
-    set_probe(r, load, share);
+    set_probe(state, load, share);
     for (; *level < ROD_MAX_PLANS - 1; ++*level) {
         rod_solution coarse = {0}, fine = {0};
-        TRY(plan_at(r, *level));
-        if (solve_on_plan(r, &r->plans[*level], &coarse) != OK) {
-            // such a load is refused when it is asked for
-            status_clear();
+        TRY(plan_at(r, *level, state));
+        if (!solves(state, &r->plans[*level], &coarse)) {
             break;
         }
         if (coarse.relative_error > r->options.tolerance) {
             continue;
         }
-        TRY(plan_at(r, *level + 1));
-        if (solve_on_plan(r, &r->plans[*level + 1], &fine) != OK) {
-            status_clear();
-            break;
-        }
-        if (confirmed(r, &coarse, &fine)) {
+        TRY(plan_at(r, *level + 1, state));
+        if (!solves(state, &r->plans[*level + 1], &fine) || confirmed(r, &coarse, &fine)) {
             break;
         }
     }
@@ -104,20 +119,21 @@ done:
 status plans_choose(rod *r)
 {
     status st = OK;
+    rod_state state = {0};
     int level = 0;
-    TRY(plan_at(r, 0));
+    TRY(plan_at(r, 0, &state));
     for (int k = 0; k < ROD_PROBES; k++) {
         const int loads = r->ntendon > 1 ? r->ntendon + 1 : r->ntendon;
         for (int load = 0; load < loads; load++) {
-            TRY(probe(r, load, rod_probe_share[k], &level));
+            TRY(probe(r, &state, load, rod_probe_share[k], &level));
         }
         r->first_plan[k] = level;
     }
     for (int k = r->nplan; k < ROD_MAX_PLANS && k <= level + PLANS_IN_RESERVE; k++) {
-        TRY(plan_at(r, k));
+        TRY(plan_at(r, k, &state));
     }
-    r->solved = NULL;
 
 done:
+    state_give_back(&state);
     return st;
 }

@@ -10,17 +10,25 @@ pose centre_frame_pose(const centre_frame *f)
     return (pose){.R = mat3_rot_z(f->phi), .p = {{f->p[0], f->p[1], 0}}};
 }
 
-// docs/theory.md (4.1): in the stiffness-centre frame the rod is a precurved backbone
+// docs/theory.md (4.1): Ad(T^-1) xi* + (T^-1 T')^vee: in the stiffness-centre frame the rod is a
+// curved backbone even where it is straight itself
+static vec6 rest_in_frame(vec6 rest, const centre_frame *f)
+{
+    const double c = cos(f->phi), z = sin(f->phi), *w = rest.a + 3;
+    const double vx = rest.a[0] - w[2] * f->p[1] + f->dp[0];
+    const double vy = rest.a[1] + w[2] * f->p[0] + f->dp[1];
+    return (vec6){{c * vx + z * vy, -z * vx + c * vy, rest.a[2] + w[0] * f->p[1] - w[1] * f->p[0],
+                   c * w[0] + z * w[1], -z * w[0] + c * w[1], w[2] + f->dphi}};
+}
+
 void station_law(const struct rod *r, double s, const centre_frame *frame, mat6 *K, vec6 *rest)
 {
     law_along_at(r->law, s, K, NULL);
-    *rest = (vec6){{0, 0, 1, 0, 0, 0}};
+    *rest = (vec6){{0, 0, 1, field_at(&r->rest.curvature_x, s), field_at(&r->rest.curvature_y, s),
+                    field_at(&r->rest.twist, s)}};
     if (frame) {
-        const double c = cos(frame->phi), z = sin(frame->phi);
         *K = beam_law_move(*K, frame->p[0], frame->p[1], frame->phi);
-        rest->a[0] = c * frame->dp[0] + z * frame->dp[1];
-        rest->a[1] = -z * frame->dp[0] + c * frame->dp[1];
-        rest->a[5] = frame->dphi;
+        *rest = rest_in_frame(*rest, frame);
     }
 }
 
@@ -83,7 +91,7 @@ static void lay_stations(const struct rod *r, int npanel, plan *p)
     }
 }
 
-static void fill_laws(const struct rod *r, plan *p)
+static status fill_laws(const struct rod *r, plan *p)
 {
     const size_t n = (size_t)p->nstation;
     double phi = r->law->turn[0];
@@ -97,18 +105,23 @@ static void fill_laws(const struct rod *r, plan *p)
         vec6 rest;
         station_law(r, p->s[i], frame, &p->K[i], &rest);
         for (size_t c = 0; c < 6; c++) {
+            if (!isfinite(rest.a[c])) {
+                return status_fail(ERR_INPUT, "rod: the shape at rest is not finite at s = %g m",
+                                   p->s[i]);
+            }
             p->rest[c * n + i] = rest.a[c];
         }
     }
+    return OK;
 }
 
-static vec6 rest_at(const plan *p, int station)
+vec6 station_gather(const double *rows, int n, int i)
 {
-    vec6 rest;
+    vec6 x;
     for (int c = 0; c < 6; c++) {
-        rest.a[c] = p->rest[(size_t)c * (size_t)p->nstation + (size_t)station];
+        x.a[c] = rows[(size_t)c * (size_t)n + (size_t)i];
     }
-    return rest;
+    return x;
 }
 
 static void store_secular(const secular_station *s, size_t n, size_t i, double *row)
@@ -147,7 +160,7 @@ static status fill_tendon(const tendon_spec *spec, const plan *p, plan_tendon *t
             TRY(status_fail(ERR_INPUT, "rod: tendon '%s' has no finite place at s = %g m",
                             spec->name ? spec->name : "?", p->s[i]));
         }
-        const vec6 rest = rest_at(p, i);
+        const vec6 rest = station_gather(p->rest, p->nstation, i);
         secular_station station;
         TRY(secular_prepare(&p->K[i], &rest, &t->place[i], &station));
         store_secular(&station, n, (size_t)i, t->row);
@@ -162,6 +175,45 @@ done:
     return st;
 }
 
+// the same law, rest and places at all stations of a pair, to the last bits of the interpolation
+static bool same_as_first(const struct rod *r, const plan *p, int i)
+{
+    const double rounding = 1e-14;
+    const int first = i - i % PAIR_STATIONS;
+    for (int c = 0; c < 36; c++) {
+        const int j = c / 6, k = c % 6;
+        const double scale = sqrt(p->K[first].a[j][j] * p->K[first].a[k][k]);
+        if (!(fabs(p->K[i].a[j][k] - p->K[first].a[j][k]) <= rounding * scale)) {
+            return false;
+        }
+    }
+    const vec6 rest = station_gather(p->rest, p->nstation, i),
+               wanted = station_gather(p->rest, p->nstation, first);
+    for (int c = 0; c < 6; c++) {
+        if (rest.a[c] != wanted.a[c]) {
+            return false;
+        }
+    }
+    for (int t = 0; t < r->ntendon; t++) {
+        const tendon_place *q = &p->tendon[t].place[i], *q0 = &p->tendon[t].place[first];
+        if (i < p->tendon[t].nstation &&
+            (q->x != q0->x || q->y != q0->y || q->dx != q0->dx || q->dy != q0->dy)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static bool is_uniform(const struct rod *r, const plan *p)
+{
+    for (int i = 0; i < p->nstation; i++) {
+        if (!same_as_first(r, p, i)) {
+            return false;
+        }
+    }
+    return true;
+}
+
 status plan_make(const struct rod *r, int npanel, plan *out)
 {
     status st = OK;
@@ -172,29 +224,37 @@ status plan_make(const struct rod *r, int npanel, plan *out)
     p.nstation = PAIR_STATIONS * p.npair;
     TRY(take_arrays(r, &p));
     lay_stations(r, npanel, &p);
-    fill_laws(r, &p);
+    TRY(fill_laws(r, &p));
     for (int i = 0; i < r->ntendon; i++) {
         TRY(fill_tendon(&r->spec[i], &p, &p.tendon[i]));
     }
+    TRY(plan_fill_loads(r, &p));
+    p.uniform = is_uniform(r, &p);
     *out = p; // ownership passes only when all is well
     p = (plan){0};
 
 done:
-    plan_free(&p, r->ntendon);
+    plan_free(&p, r);
     return st;
 }
 
-void plan_free(plan *p, int ntendon)
+void plan_free(plan *p, const struct rod *r)
 {
-    for (int i = 0; p->tendon && i < ntendon; i++) {
+    for (int i = 0; p->tendon && i < r->ntendon; i++) {
         free(p->tendon[i].place);
         free(p->tendon[i].row);
+    }
+    for (int i = 0; p->line && i < r->nline_load + r->has_gravity; i++) {
+        free(p->line[i]);
     }
     free(p->pair_edge);
     free(p->s);
     free(p->K);
     free(p->rest);
     free(p->frame);
+    free(p->node_frame);
     free(p->tendon);
+    free(p->line);
+    free(p->point_panel);
     *p = (plan){0};
 }

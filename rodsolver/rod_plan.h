@@ -29,17 +29,19 @@ typedef struct line_station {
 } line_station;
 
 typedef struct plan {
-    int npair, nstation; // nstation = 6 npair
-    double *pair_edge;   // [npair][2] [m]
-    double *s;           // [nstation] [m]
-    mat6 *K;             // [nstation] in the frame of the solve
-    double *rest;        // [6][nstation] xi* in that frame
-    centre_frame *frame; // [nstation], FRAME_NC only
-    plan_tendon *tendon; // [ntendon]
-    line_station **line; // [nline_load + gravity] [nstation], zero outside the load's stretch
-    int *point_panel;    // [npoint_load] the panel (of 2 npair) at whose right end the load acts
-    bool uniform;        // nothing varies inside any pair: one station and one exponential each
-                         // would do for tensions alone
+    int npair, nstation;      // nstation = 6 npair
+    double *pair_edge;        // [npair][2] [m]
+    double *s;                // [nstation] [m]
+    mat6 *K;                  // [nstation] in the frame of the solve
+    double *rest;             // [6][nstation] xi* in that frame
+    centre_frame *frame;      // [nstation], FRAME_NC only
+    centre_frame *node_frame; // [2 npair + 1] at the panels' ends, FRAME_NC only
+    plan_tendon *tendon;      // [ntendon]
+    line_station **line;      // [nline_load + gravity] [nstation], zero outside the load's stretch
+    int *point_panel; // [npoint_load] the panel (of 2 npair) at whose right end the load acts;
+                      // -1: on the base itself
+    bool uniform;     // nothing varies inside any pair: one station and one exponential each
+                      // would do for tensions alone
 } plan;
 
 struct rod {
@@ -53,6 +55,7 @@ struct rod {
     tendon_spec *spec;       // [ntendon], with .end > 0
     point_load *point_loads; // [npoint_load], with .s <= length
     line_load *line_loads;   // [nline_load], with .to > 0
+    bool *acts;              // [rod_load_count] not zero everywhere
     int nbreak;
     double *breaks; // [nbreak] edges of smooth stretches, from 0 to length
     pose base, tip; // of the solve's frame in the geometric frame, at both ends: T(0), T(L)
@@ -89,11 +92,24 @@ extern const double rod_probe_share[ROD_PROBES];
 status plan_make(const struct rod *r, int npanel, plan *out);
 void plan_free(plan *p, const struct rod *r);
 
+// Loads at the stations: line, point_panel and node_frame.
+status plan_fill_loads(const struct rod *r, plan *p);
+
+// Tendons, loads and breaks of the spec, checked and copied.
+status rod_copy_spec(struct rod *r, const rod_spec *spec);
+
+// Room for an answer on any of the rod's plans; no equilibrium.
+status state_take(const struct rod *r, rod_state *out);
+void state_give_back(rod_state *state);
+
 // A plan behind the others.
 status plan_add(struct rod *r, int npanel);
 
 // As many plans as r->options.tolerance needs, first_plan and doubt.
 status plans_choose(struct rod *r);
+
+// The strain at a station of xi [6][n] or the like.
+vec6 station_gather(const double *rows, int n, int i);
 
 // T as a pose: the stiffness-centre frame seen from the geometric one.
 pose centre_frame_pose(const centre_frame *f);

@@ -91,16 +91,45 @@ static inline tendon_spec straight_tendon(const char *name, double radius, doubl
         .name = name, .radius = field_constant(radius), .angle = field_constant(angle)};
 }
 
-// a rod, solved for one row of tensions; the caller frees it
-static inline rod *solved_rod(const law_along *law, int ntendon, const tendon_spec *tendons,
-                              rod_options options, const double *tension, rod_solution *out)
+// a rod and one state of it
+typedef struct made_rod {
+    rod *rod;
+    rod_state *state; // NULL where the rod could not be made
+} made_rod;
+
+static inline made_rod make_rod(const law_along *law, int ntendon, const tendon_spec *tendons,
+                                rod_options options)
 {
-    rod *r = NULL;
-    CHECK_OK(rod_make(law, ntendon, tendons, &options, &r));
-    if (r) {
-        CHECK_OK(rod_solve(r, tension, out));
+    made_rod m = {0};
+    const rod_spec spec = {.law = law, .ntendon = ntendon, .tendons = tendons};
+    CHECK_OK(rod_make(&spec, &options, &m.rod));
+    if (m.rod) {
+        CHECK_OK(rod_state_make(m.rod, &m.state));
     }
-    return r;
+    return m;
+}
+
+static inline void free_rod(made_rod m)
+{
+    rod_state_free(m.state);
+    rod_free(m.rod);
+}
+
+// tensions alone, from rest
+static inline status solve_tensions(rod_state *state, const double *tension, rod_solution *out)
+{
+    return rod_solve(state, &(rod_request){.tension = tension, .cold = true}, out);
+}
+
+// a rod, solved for one row of tensions; the caller frees it
+static inline made_rod solved_rod(const law_along *law, int ntendon, const tendon_spec *tendons,
+                                  rod_options options, const double *tension, rod_solution *out)
+{
+    const made_rod m = make_rod(law, ntendon, tendons, options);
+    if (m.state) {
+        CHECK_OK(solve_tensions(m.state, tension, out));
+    }
+    return m;
 }
 
 static inline double distance(vec3 p, vec3 q)

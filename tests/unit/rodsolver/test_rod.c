@@ -17,12 +17,12 @@ static void unloaded_rod_is_straight(int frame)
     const tendon_spec t = straight_tendon("a", 3.6e-3, 1);
     double none = 0, length = 0;
     rod_solution out = {.tendon_length = &length};
-    rod *r =
+    const made_rod r =
         solved_rod(&law, 1, &t, (rod_options){.frame = frame, .tolerance = 1e-12}, &none, &out);
     CHECK_WITHIN(distance(out.tip.p, (vec3){{0, 0, p.length}}), 0, 1e-12 * p.length);
     CHECK_WITHIN(rotation_difference(out.tip.R, mat3_identity()), 0, 1e-11);
     CHECK_NEAR(length, p.length, 1e-14);
-    rod_free(r);
+    free_rod(r);
     law_along_free(&law);
 }
 
@@ -38,14 +38,14 @@ static void homogeneous_tube_bends_into_a_circle(void)
     const double eps = -tau / q.EA, kappa = tau * 3.6e-3 / q.EIy;
     double length = 0;
     rod_solution out = {.tendon_length = &length};
-    rod *r = solved_rod(&law, 1, &t, (rod_options){.tolerance = 1e-9}, &tau, &out);
+    const made_rod r = solved_rod(&law, 1, &t, (rod_options){.tolerance = 1e-9}, &tau, &out);
     CHECK_WITHIN(out.tip.p.a[0], (1 + eps) / kappa * (1 - cos(kappa * L)), 1e-15);
     CHECK_WITHIN(out.tip.p.a[2], (1 + eps) / kappa * sin(kappa * L), 1e-15);
     CHECK_NEAR(length, L * (1 + eps - kappa * 3.6e-3), 1e-13);
     CHECK_NEAR(out.max_strain.a[4], kappa, 1e-13);
     CHECK_NEAR(out.max_strain.a[2], -eps, 1e-13);
     CHECK(out.relative_error < 1e-14);
-    rod_free(r);
+    free_rod(r);
     law_along_free(&law);
 }
 
@@ -63,22 +63,22 @@ static void beyond_its_end_a_tendon_does_nothing(void)
     pose shape[4];
     vec6 xi;
     rod_solution out = {0};
-    rod *r = solved_rod(&law, 2, t, (rod_options){.tolerance = 1e-9}, tau, &out);
-    CHECK_OK(rod_shape(r, 4, s, shape));
+    const made_rod r = solved_rod(&law, 2, t, (rod_options){.tolerance = 1e-9}, tau, &out);
+    CHECK_OK(rod_shape(r.state, 4, s, shape));
     CHECK_WITHIN(rotation_difference(shape[1].R, shape[3].R), 0, 1e-14);
     CHECK_NEAR(distance(shape[1].p, shape[3].p), 0.08, 1e-13);
     CHECK(rotation_difference(shape[0].R, shape[1].R) > 0.1);
-    CHECK_OK(rod_strain_at(r, 0.041, &xi));
+    CHECK_OK(rod_strain_at(r.state, 0.041, &xi));
     CHECK_WITHIN(xi.a[4], 0, 1e-12);
-    CHECK_OK(rod_strain_at(r, 0.039, &xi));
+    CHECK_OK(rod_strain_at(r.state, 0.039, &xi));
     CHECK_NEAR(xi.a[4], out.max_strain.a[4], 1e-10);
     // both pull: antagonists cancel up to the end, and the long one bends the rest
     const double both[2] = {0.7, 0.7};
-    CHECK_OK(rod_solve(r, both, &out));
-    CHECK_OK(rod_shape(r, 4, s, shape));
+    CHECK_OK(solve_tensions(r.state, both, &out));
+    CHECK_OK(rod_shape(r.state, 4, s, shape));
     CHECK_WITHIN(rotation_difference(shape[1].R, mat3_identity()), 0, 1e-13);
     CHECK(rotation_difference(shape[3].R, mat3_identity()) > 0.1);
-    rod_free(r);
+    free_rod(r);
     law_along_free(&law);
 }
 
@@ -93,12 +93,14 @@ static void shape_is_as_good_as_the_tip(int frame)
     const tendon_spec t = straight_tendon("a", 3.6e-3, PROTOTYPE_PI / 2);
     const double tau = 0.98;
     rod_solution out = {0}, fine = {0};
-    rod *r = solved_rod(&law, 1, &t, (rod_options){.frame = frame, .tolerance = 1e-9}, &tau, &out);
-    rod *f = solved_rod(&law, 1, &t, (rod_options){.frame = frame, .npanel = 240}, &tau, &fine);
+    const made_rod r =
+        solved_rod(&law, 1, &t, (rod_options){.frame = frame, .tolerance = 1e-9}, &tau, &out);
+    const made_rod f =
+        solved_rod(&law, 1, &t, (rod_options){.frame = frame, .npanel = 240}, &tau, &fine);
     double s[POINTS];
     pose shape[POINTS], wanted[POINTS];
-    CHECK_OK(rod_shape(r, POINTS, s, shape));
-    CHECK_OK(rod_shape(f, POINTS, s, wanted));
+    CHECK_OK(rod_shape(r.state, POINTS, s, shape));
+    CHECK_OK(rod_shape(f.state, POINTS, s, wanted));
     CHECK_WITHIN(distance(shape[0].p, (vec3){{0}}), 0, 1e-16);
     CHECK_WITHIN(distance(shape[POINTS - 1].p, out.tip.p), 0, 1e-15);
     CHECK(s[POINTS - 1] == p.length);
@@ -110,8 +112,8 @@ static void shape_is_as_good_as_the_tip(int frame)
     CHECK_WITHIN(shape[15].p.a[0], -0.02418314919928287, 1e-9);
     CHECK_WITHIN(shape[15].p.a[1], 0.03415454744841623, 1e-9);
     CHECK_WITHIN(shape[15].p.a[2], 0.032364148805866605, 1e-9);
-    rod_free(r);
-    rod_free(f);
+    free_rod(r);
+    free_rod(f);
     law_along_free(&law);
 }
 
@@ -126,13 +128,14 @@ static void strain_is_the_derivative_of_the_shape(int frame)
                               straight_tendon("b", 3.6e-3, 0.3)};
     const double tau[2] = {0.98, 0.2};
     rod_solution out = {0};
-    rod *r = solved_rod(&law, 2, t, (rod_options){.frame = frame, .npanel = 64}, tau, &out);
+    const made_rod r =
+        solved_rod(&law, 2, t, (rod_options){.frame = frame, .npanel = 64}, tau, &out);
     static double s[POINTS];
     static pose g[POINTS];
-    CHECK_OK(rod_shape(r, POINTS, s, g));
+    CHECK_OK(rod_shape(r.state, POINTS, s, g));
     for (int i = 50; i < POINTS - 1; i += 100) {
         vec6 xi;
-        CHECK_OK(rod_strain_at(r, s[i], &xi));
+        CHECK_OK(rod_strain_at(r.state, s[i], &xi));
         const double h = s[i + 1] - s[i - 1];
         // central differences of order 2 with a step of 0.2 mm: about 1e-4 of the strain's scale
         const vec3 v = mat3_tmul_vec(g[i].R, vec3_scale(1 / h, vec3_sub(g[i + 1].p, g[i - 1].p)));
@@ -142,7 +145,7 @@ static void strain_is_the_derivative_of_the_shape(int frame)
             CHECK_WITHIN(w.a[c], xi.a[c + 3], 0.02);
         }
     }
-    rod_free(r);
+    free_rod(r);
     law_along_free(&law);
 }
 
@@ -154,32 +157,42 @@ static void impossible_tensions_are_refused(void)
     prototype_law(&p, &law);
     const tendon_spec t[2] = {straight_tendon("left", 3.6e-3, 0),
                               straight_tendon("right", 3.6e-3, PROTOTYPE_PI)};
-    rod *r = NULL;
     rod_solution out = {0};
-    CHECK_OK(rod_make(&law, 2, t, &(rod_options){.tolerance = 1e-9}, &r));
+    const made_rod r = make_rod(&law, 2, t, (rod_options){.tolerance = 1e-9});
     const double critical = 1 / (1 / q.EA + 3.6e-3 * 3.6e-3 / q.EIx);
-    CHECK_NEAR(rod_critical_tension(r, 1, NULL), critical, 1e-12);
+    CHECK_NEAR(rod_critical_tension(r.rod, 1, NULL), critical, 1e-12);
 
     const double below[2] = {0, critical * (1 - 1e-6)}, above[2] = {0, critical * (1 + 1e-6)};
     const double negative[2] = {0.1, -0.1}, infinite[2] = {INFINITY, 0};
     const double both[2] = {critical * 0.9, 2 * critical};
-    CHECK_OK(rod_solve(r, below, &out));
-    CHECK(rod_solve(r, above, &out) == ERR_NUMERIC);
+    CHECK_OK(solve_tensions(r.state, below, &out));
+    CHECK(solve_tensions(r.state, above, &out) == ERR_NUMERIC);
     CHECK(strstr(status_message(), "'right' has eaten its own length") != NULL);
     status_clear();
-    CHECK(rod_solve(r, both, &out) == ERR_NUMERIC);
+    CHECK(solve_tensions(r.state, both, &out) == ERR_NUMERIC);
     CHECK(strstr(status_message(), "eaten") != NULL);
     status_clear();
-    CHECK(rod_solve(r, negative, &out) == ERR_INPUT);
+    CHECK(solve_tensions(r.state, negative, &out) == ERR_INPUT);
     status_clear();
-    CHECK(rod_solve(r, infinite, &out) == ERR_INPUT);
+    CHECK(solve_tensions(r.state, infinite, &out) == ERR_INPUT);
     status_clear();
     double s[2];
     pose g[2];
-    CHECK(rod_shape(r, 2, s, g) == ERR_BUG); // nothing solved to show
+    CHECK(rod_shape(r.state, 2, s, g) == ERR_BUG); // nothing solved to show
     status_clear();
-    rod_free(r);
+    free_rod(r);
     law_along_free(&law);
+}
+
+static status attempt(const law_along *law, const tendon_spec *t, double tolerance)
+{
+    rod *r = NULL;
+    const rod_spec spec = {.law = law, .ntendon = t ? 1 : 0, .tendons = t};
+    const status st = rod_make(&spec, &(rod_options){.tolerance = tolerance}, &r);
+    CHECK(r == NULL);
+    rod_free(r);
+    status_clear();
+    return st;
 }
 
 static void bad_rods_are_refused(void)
@@ -188,23 +201,20 @@ static void bad_rods_are_refused(void)
     law_along law = {0};
     prototype_law(&p, &law);
     tendon_spec t = straight_tendon("a", 3.6e-3, 0);
-    rod *r = NULL;
     t.end = 0.121;
-    CHECK(rod_make(&law, 1, &t, &(rod_options){.tolerance = 1e-9}, &r) == ERR_INPUT);
-    status_clear();
+    CHECK(attempt(&law, &t, 1e-9) == ERR_INPUT);
     t.end = 0;
-    CHECK(rod_make(&law, 1, &t, &(rod_options){.tolerance = 1e-17}, &r) == ERR_INPUT);
-    status_clear();
-    CHECK(rod_make(&law, ROD_MAX_TENDONS + 1, &t, &(rod_options){.tolerance = 1e-9}, &r) ==
-          ERR_INPUT);
-    status_clear();
+    CHECK(attempt(&law, &t, 1e-17) == ERR_INPUT);
+    t.friction = -0.1;
+    CHECK(attempt(&law, &t, 1e-9) == ERR_INPUT);
+    t.friction = 0;
+    t.EA = NAN;
+    CHECK(attempt(&law, &t, 1e-9) == ERR_INPUT);
+    t.EA = 0;
     t.x = field_constant(NAN);
-    CHECK(rod_make(&law, 1, &t, &(rod_options){.tolerance = 1e-9}, &r) == ERR_INPUT);
-    status_clear();
+    CHECK(attempt(&law, &t, 1e-9) == ERR_INPUT);
     law.law[0].K = mat6_scale(-1, law.law[0].K);
-    CHECK(rod_make(&law, 0, NULL, &(rod_options){.tolerance = 1e-9}, &r) == ERR_NUMERIC);
-    status_clear();
-    CHECK(r == NULL);
+    CHECK(attempt(&law, NULL, 1e-9) == ERR_NUMERIC);
     law_along_free(&law);
 }
 
@@ -214,7 +224,7 @@ static double wave(const void *expression, double s)
 }
 
 // the share of `direction` that can just be pulled, by bisection on the refusal
-static double limit_along(rod *r, int n, const double *direction)
+static double limit_along(made_rod r, int n, const double *direction)
 {
     double low = 0, high = 50, tension[4];
     rod_solution out = {0};
@@ -223,7 +233,7 @@ static double limit_along(rod *r, int n, const double *direction)
         for (int i = 0; i < n; i++) {
             tension[i] = middle * direction[i];
         }
-        if (rod_solve(r, tension, &out) == OK) {
+        if (solve_tensions(r.state, tension, &out) == OK) {
             low = middle;
         } else {
             high = middle;
@@ -246,9 +256,8 @@ static void random_tensions_converge_up_to_the_limit(void)
     t[1].end = 0.07;
     t[2].angle = (field){.at = wave, .expression = &rate[0]};
     t[3].angle = (field){.at = wave, .expression = &rate[1]};
-    rod *r = NULL;
     unsigned state = 1;
-    CHECK_OK(rod_make(&law, 4, t, &(rod_options){.tolerance = 1e-6}, &r));
+    const made_rod r = make_rod(&law, 4, t, (rod_options){.tolerance = 1e-6});
     for (int k = 0; k < 12; k++) {
         double direction[4], tension[4];
         rod_solution out = {0};
@@ -262,7 +271,7 @@ static void random_tensions_converge_up_to_the_limit(void)
             for (int i = 0; i < 4; i++) {
                 tension[i] = (j < 4 ? 0.3 * j + 0.05 : 1.001) * limit * direction[i];
             }
-            const status st = rod_solve(r, tension, &out);
+            const status st = solve_tensions(r.state, tension, &out);
             if (j < 4) {
                 CHECK(st == OK && out.relative_error <= 1e-6);
             } else {
@@ -271,7 +280,7 @@ static void random_tensions_converge_up_to_the_limit(void)
             status_clear();
         }
     }
-    rod_free(r);
+    free_rod(r);
     law_along_free(&law);
 }
 
@@ -284,12 +293,12 @@ static void the_same_tension_gives_the_same_bits(void)
     const tendon_spec t = straight_tendon("a", 3.6e-3, PROTOTYPE_PI / 2);
     const double tau = 0.98, strong = 4;
     rod_solution first = {0}, again = {0};
-    rod *r = solved_rod(&law, 1, &t, (rod_options){.tolerance = 1e-8}, &tau, &first);
-    CHECK_OK(rod_solve(r, &strong, &again));
-    CHECK(rod_panel_count(r) > 16);
-    CHECK_OK(rod_solve(r, &tau, &again));
+    const made_rod r = solved_rod(&law, 1, &t, (rod_options){.tolerance = 1e-8}, &tau, &first);
+    CHECK_OK(solve_tensions(r.state, &strong, &again));
+    CHECK(rod_panel_count(r.state) > 16);
+    CHECK_OK(solve_tensions(r.state, &tau, &again));
     CHECK(memcmp(&first.tip, &again.tip, sizeof first.tip) == 0);
-    rod_free(r);
+    free_rod(r);
     law_along_free(&law);
 }
 
@@ -323,9 +332,9 @@ static void frames_agree_without_symmetry(void)
     const double tau[2] = {0.9, 0.3};
     rod_solution out[2] = {0};
     for (int frame = FRAME_GC; frame <= FRAME_NC; frame++) {
-        rod *r = solved_rod(&law, 2, t, (rod_options){.frame = frame, .tolerance = 1e-12}, tau,
-                            &out[frame]);
-        rod_free(r);
+        const made_rod r = solved_rod(&law, 2, t, (rod_options){.frame = frame, .tolerance = 1e-12},
+                                      tau, &out[frame]);
+        free_rod(r);
     }
     CHECK_WITHIN(distance(out[FRAME_GC].tip.p, out[FRAME_NC].tip.p), 0, 1e-12);
     CHECK_WITHIN(rotation_difference(out[FRAME_GC].tip.R, out[FRAME_NC].tip.R), 0, 1e-11);

@@ -1,5 +1,5 @@
 // tests/unit/rodsolver/test_rod_keys.c
-#include "rodsolver/rod.h"
+#include "rodsolver/rod_case.h"
 #include "tests/test.h"
 
 #include <string.h>

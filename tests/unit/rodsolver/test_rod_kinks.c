@@ -35,21 +35,20 @@ static void kinked_path_is_honest(field path, double tolerance, double slack, in
     tendon_spec t[2] = {straight_tendon("kinked", 3.6e-3, 0), straight_tendon("idle", 1e-3, 0)};
     t[0].angle = path;
     t[1].end = kink;
-    rod *r = NULL, *f = NULL;
-    CHECK_OK(rod_make(&law, 1, t, &(rod_options){.tolerance = tolerance}, &r));
-    CHECK_OK(rod_make(&law, 2, t, &(rod_options){.npanel = 1024}, &f));
-    for (int k = 1; r && f && k <= 4; k++) {
+    const made_rod r = make_rod(&law, 1, t, (rod_options){.tolerance = tolerance});
+    const made_rod f = make_rod(&law, 2, t, (rod_options){.npanel = 1024});
+    for (int k = 1; r.state && f.state && k <= 4; k++) {
         const double tau[2] = {0.4 * k, 0};
         rod_solution out = {0}, exact = {0};
-        CHECK_OK(rod_solve(r, tau, &out));
-        CHECK_OK(rod_solve(f, tau, &exact));
+        CHECK_OK(solve_tensions(r.state, tau, &out));
+        CHECK_OK(solve_tensions(f.state, tau, &exact));
         const double error = distance(out.tip.p, exact.tip.p) / p.length;
         CHECK(out.relative_error <= tolerance);
         CHECK(error <= tolerance && error <= fmax(slack * out.relative_error, 2e-13));
-        CHECK(rod_panel_count(r) <= most_panels);
+        CHECK(rod_panel_count(r.state) <= most_panels);
     }
-    rod_free(r);
-    rod_free(f);
+    free_rod(r);
+    free_rod(f);
     law_along_free(&law);
 }
 
@@ -85,11 +84,11 @@ static void many_kinks_are_solved_roughly(void)
     t.angle = (field){.at = teeth};
     const double tau = 0.98;
     rod_solution rough = {0}, fine = {0};
-    rod *r = solved_rod(&law, 1, &t, (rod_options){.tolerance = 1e-3}, &tau, &rough);
-    rod *f = solved_rod(&law, 1, &t, (rod_options){.npanel = 8000}, &tau, &fine);
+    const made_rod r = solved_rod(&law, 1, &t, (rod_options){.tolerance = 1e-3}, &tau, &rough);
+    const made_rod f = solved_rod(&law, 1, &t, (rod_options){.npanel = 8000}, &tau, &fine);
     CHECK_WITHIN(distance(rough.tip.p, fine.tip.p), 0, 1e-3 * p.length);
-    rod_free(r);
-    rod_free(f);
+    free_rod(r);
+    free_rod(f);
     law_along_free(&law);
 }
 
@@ -107,14 +106,13 @@ static void a_jump_is_refused(void)
     prototype_law(&p, &law);
     tendon_spec t = straight_tendon("jumping", 3.6e-3, 0);
     t.angle = (field){.at = stairs};
-    rod *r = NULL;
     const double tau = 0.7;
     rod_solution out = {0};
-    CHECK_OK(rod_make(&law, 1, &t, &(rod_options){.tolerance = 1e-9}, &r));
-    CHECK(rod_solve(r, &tau, &out) == ERR_NUMERIC);
+    const made_rod r = make_rod(&law, 1, &t, (rod_options){.tolerance = 1e-9});
+    CHECK(solve_tensions(r.state, &tau, &out) == ERR_NUMERIC);
     CHECK(strstr(status_message(), "stays above the tolerance") != NULL);
     status_clear();
-    rod_free(r);
+    free_rod(r);
     law_along_free(&law);
 }
 

@@ -92,8 +92,8 @@ static double bend(const prototype *p, double angle, bool printed)
     const tendon_spec t = straight_tendon("a", 3.6e-3, angle);
     const double tau = 0.98;
     rod_solution out = {0};
-    rod *r = solved_rod(&law, 1, &t, (rod_options){.tolerance = 1e-9}, &tau, &out);
-    rod_free(r);
+    const made_rod r = solved_rod(&law, 1, &t, (rod_options){.tolerance = 1e-9}, &tau, &out);
+    free_rod(r);
     law_along_free(&law);
     return out.max_strain.a[4] * p->length * 180 / PROTOTYPE_PI;
 }

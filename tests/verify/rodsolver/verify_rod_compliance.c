@@ -39,14 +39,14 @@ static void small_tension_is_the_linear_limit(void)
     const vec6 wanted = mat6_mul_vec(C, wrench);
     const tendon_spec t = straight_tendon("a", 3.6e-3, 0.4);
     rod_solution out = {0};
-    rod *r = solved_rod(&law, 1, &t, (rod_options){.tolerance = 1e-12}, &tau, &out);
+    const made_rod r = solved_rod(&law, 1, &t, (rod_options){.tolerance = 1e-12}, &tau, &out);
     const vec3 turn = so3_log(out.tip.R);
     for (int c = 0; c < 3; c++) {
         const double moved = out.tip.p.a[c] - (c == 2 ? p.length : 0);
         CHECK_WITHIN(moved, wanted.a[c], 1e-6 * p.length * fabs(wanted.a[3]) + 1e-15);
         CHECK_WITHIN(turn.a[c], wanted.a[c + 3], 1e-6 * fabs(wanted.a[3]));
     }
-    rod_free(r);
+    free_rod(r);
     law_along_free(&law);
 }
 

@@ -17,13 +17,13 @@ static void curvatures(curvature *k)
     const tendon_spec t = straight_tendon("a", 3.6e-3, PROTOTYPE_PI / 2);
     const double tau = 0.98;
     rod_solution out = {0};
-    rod *r = solved_rod(&law, 1, &t, (rod_options){.tolerance = 1e-9}, &tau, &out);
+    const made_rod r = solved_rod(&law, 1, &t, (rod_options){.tolerance = 1e-9}, &tau, &out);
     for (int i = 0; i < POINTS; i++) {
         vec6 xi;
-        CHECK_OK(rod_strain_at(r, p.length * i / (POINTS - 1), &xi));
+        CHECK_OK(rod_strain_at(r.state, p.length * i / (POINTS - 1), &xi));
         k[i] = (curvature){xi.a[3], xi.a[4], hypot(xi.a[3], xi.a[4])};
     }
-    rod_free(r);
+    free_rod(r);
     law_along_free(&law);
 }
 

@@ -18,10 +18,11 @@ static rod_solution solve(const study *t, int npanel, pose shape[4])
 {
     double s[4];
     rod_solution out = {0};
-    rod *r = solved_rod(&t->law, 2, t->tendon, (rod_options){.frame = t->frame, .npanel = npanel},
-                        t->tension, &out);
-    CHECK_OK(rod_shape(r, 4, s, shape));
-    rod_free(r);
+    const made_rod r =
+        solved_rod(&t->law, 2, t->tendon, (rod_options){.frame = t->frame, .npanel = npanel},
+                   t->tension, &out);
+    CHECK_OK(rod_shape(r.state, 4, s, shape));
+    free_rod(r);
     return out;
 }
 

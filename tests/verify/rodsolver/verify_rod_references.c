@@ -94,9 +94,10 @@ static void solve(const reference *ref, int frame, double tolerance, rod_solutio
     prototype_law(&p, &law);
     const tendon_spec tendon[2] = {straight_tendon("first", 3.6e-3, ref->angle[0]),
                                    straight_tendon("second", 3.6e-3, ref->angle[1])};
-    rod *r = solved_rod(&law, ref->ntendon, tendon,
-                        (rod_options){.frame = frame, .tolerance = tolerance}, ref->tension, out);
-    rod_free(r);
+    const made_rod r =
+        solved_rod(&law, ref->ntendon, tendon,
+                   (rod_options){.frame = frame, .tolerance = tolerance}, ref->tension, out);
+    free_rod(r);
     law_along_free(&law);
 }
 

@@ -1,0 +1,206 @@
+// rodsolver/rod_spec.c
+// What rod_make keeps of a rod_spec.
+#include "base/memory.h"
+#include "rodsolver/rod_plan.h"
+
+#include <math.h>
+#include <string.h>
+
+// two edges nearer than this part of the length are one
+static const double same_edge = 1e-9;
+
+static bool finite_all(const double *a, int n)
+{
+    for (int i = 0; i < n; i++) {
+        if (!isfinite(a[i])) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static const char *name_or_mark(const char *name)
+{
+    return name ? name : "?";
+}
+
+static status copy_tendons(rod *r, const tendon_spec *tendons)
+{
+    status st = OK;
+    TRY(TAKE(r->spec, (size_t)r->ntendon));
+    for (int i = 0; i < r->ntendon; i++) {
+        tendon_spec *t = &r->spec[i];
+        *t = tendons[i];
+        if (t->end == 0) {
+            t->end = r->length;
+        }
+        if (!(t->end > 0) || t->end > r->length * (1 + same_edge)) {
+            TRY(status_fail(ERR_INPUT, "rod: tendon '%s' ends at %g m, outside the rod of %g m",
+                            name_or_mark(t->name), t->end, r->length));
+        }
+        const double numbers[3] = {t->friction, t->EA, t->outside};
+        if (!finite_all(numbers, 3) || t->friction < 0 || t->EA < 0 || t->outside < 0) {
+            TRY(status_fail(ERR_INPUT,
+                            "rod: friction %g, EA %g N, outside length %g m of tendon '%s': not "
+                            "finite or below zero",
+                            t->friction, t->EA, t->outside, name_or_mark(t->name)));
+        }
+    }
+
+done:
+    return st;
+}
+
+static status copy_point_loads(rod *r, const point_load *loads)
+{
+    status st = OK;
+    TRY(TAKE(r->point_loads, (size_t)r->npoint_load));
+    for (int i = 0; i < r->npoint_load; i++) {
+        point_load *l = &r->point_loads[i];
+        *l = loads[i];
+        if (!(l->s >= 0) || !finite_all(l->force, 3) || !finite_all(l->moment, 3) ||
+            !finite_all(l->place, 2)) {
+            TRY(status_fail(ERR_INPUT,
+                            "rod: load '%s' at s = %g m lies before the base or is not finite",
+                            name_or_mark(l->name), l->s));
+        }
+        l->s = fmin(l->s, r->length);
+        for (int c = 0; c < 3; c++) {
+            r->acts[i] = r->acts[i] || l->force[c] != 0 || l->moment[c] != 0;
+        }
+    }
+
+done:
+    return st;
+}
+
+static bool field_acts(const field *f)
+{
+    return field_varies(f) || f->value != 0;
+}
+
+static status copy_line_loads(rod *r, const line_load *loads)
+{
+    status st = OK;
+    TRY(TAKE(r->line_loads, (size_t)r->nline_load));
+    for (int i = 0; i < r->nline_load; i++) {
+        line_load *l = &r->line_loads[i];
+        *l = loads[i];
+        l->to = l->to == 0 ? r->length : fmin(l->to, r->length);
+        if (!(l->from >= 0) || !(l->to > l->from)) {
+            TRY(status_fail(ERR_INPUT, "rod: load '%s' reaches from %g m to %g m",
+                            name_or_mark(l->name), l->from, l->to));
+        }
+        for (int c = 0; c < 3; c++) {
+            bool *acts = &r->acts[r->npoint_load + i];
+            *acts = *acts || field_acts(&l->force[c]) || field_acts(&l->moment[c]);
+        }
+    }
+
+done:
+    return st;
+}
+
+static int compare_reals(const void *a, const void *b)
+{
+    const double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+static status add_own_breaks(const rod *r, const rod_spec *spec, size_t *n)
+{
+    for (int i = 0; i < spec->nbreak; i++) {
+        if (!(spec->breaks[i] >= 0 && spec->breaks[i] <= r->length * (1 + same_edge))) {
+            return status_fail(ERR_INPUT, "rod: a break at %g m, outside the rod of %g m",
+                               spec->breaks[i], r->length);
+        }
+        r->breaks[(*n)++] = spec->breaks[i];
+    }
+    return OK;
+}
+
+// sorted, each once, from 0 to the length
+static void merge_breaks(rod *r, size_t n)
+{
+    qsort(r->breaks, n, sizeof *r->breaks, compare_reals);
+    for (size_t i = 0; i < n; i++) {
+        if (r->nbreak == 0 || r->breaks[i] - r->breaks[r->nbreak - 1] > same_edge * r->length) {
+            r->breaks[r->nbreak++] = r->breaks[i];
+        }
+    }
+    r->breaks[0] = 0;
+    r->breaks[r->nbreak - 1] = r->length;
+}
+
+// edges of the law's panels, ends of tendons and kinks of their paths, loads, and what the spec
+// says
+static status find_breaks(rod *r, const rod_spec *spec)
+{
+    status st = OK;
+    const int nedge = r->law->npanel + 1;
+    const size_t most = (size_t)nedge + (size_t)r->ntendon * (1 + ROUTING_MAX_KINKS) +
+                        (size_t)r->npoint_load + 2 * (size_t)r->nline_load + (size_t)spec->nbreak;
+    TRY(TAKE(r->breaks, most));
+    memcpy(r->breaks, r->law->edge, (size_t)nedge * sizeof *r->breaks);
+    size_t n = (size_t)nedge;
+    for (int i = 0; i < r->ntendon; i++) {
+        r->breaks[n++] = r->spec[i].end;
+        n += (size_t)routing_kinks(&r->spec[i], r->breaks + n);
+    }
+    for (int i = 0; i < r->npoint_load; i++) {
+        r->breaks[n++] = r->point_loads[i].s;
+    }
+    for (int i = 0; i < r->nline_load; i++) {
+        r->breaks[n++] = r->line_loads[i].from;
+        r->breaks[n++] = r->line_loads[i].to;
+    }
+    TRY(add_own_breaks(r, spec, &n));
+    merge_breaks(r, n);
+
+done:
+    return st;
+}
+
+static status check_counts(const rod_spec *spec)
+{
+    const int count[4] = {spec->ntendon, spec->npoint_load, spec->nline_load, spec->nbreak};
+    for (int i = 0; i < 4; i++) {
+        if (count[i] < 0) {
+            return status_fail(ERR_INPUT, "rod: %d tendons, point loads, line loads or breaks",
+                               count[i]);
+        }
+    }
+    if (!finite_all(spec->gravity, 3)) {
+        return status_fail(ERR_INPUT, "rod: gravity is not finite");
+    }
+    if (spec->ntendon > ROD_MAX_TENDONS) {
+        return status_fail(ERR_INPUT, "rod: %d tendons, at most %d are possible", spec->ntendon,
+                           ROD_MAX_TENDONS);
+    }
+    return OK;
+}
+
+status rod_copy_spec(struct rod *r, const rod_spec *spec)
+{
+    status st = OK;
+    TRY(check_counts(spec));
+    r->law = spec->law;
+    r->length = spec->law->length;
+    r->rest = spec->rest;
+    memcpy(r->gravity, spec->gravity, sizeof r->gravity);
+    r->has_gravity = spec->gravity[0] != 0 || spec->gravity[1] != 0 || spec->gravity[2] != 0;
+    r->ntendon = spec->ntendon;
+    r->npoint_load = spec->npoint_load;
+    r->nline_load = spec->nline_load;
+    TRY(TAKE(r->acts, (size_t)rod_load_count(r)));
+    if (r->has_gravity) {
+        r->acts[r->npoint_load + r->nline_load] = true;
+    }
+    TRY(copy_tendons(r, spec->tendons));
+    TRY(copy_point_loads(r, spec->point_loads));
+    TRY(copy_line_loads(r, spec->line_loads));
+    TRY(find_breaks(r, spec));
+
+done:
+    return st;
+}
