@@ -12,7 +12,7 @@
 #include <string.h>
 #include <unistd.h>
 
-static const char schema[] = "stiffaxis/result/1";
+static const char schema[] = "stiffaxis/result/2";
 static const char creator[] = "stiffaxis " STIFFAXIS_VERSION;
 
 struct store {

@@ -5,7 +5,7 @@
 
 #include "reports/result.h"
 
-enum { CSV_MAX_COLUMNS = 320, CSV_MAX_NAME = 96 };
+enum { CSV_MAX_COLUMNS = 1400, CSV_MAX_NAME = 96 };
 
 // the names of a table's columns as they are collected
 typedef struct csv_header {

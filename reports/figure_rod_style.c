@@ -8,10 +8,13 @@ enum { COLUMNS = 3, MAX_ROWS = 8 };
 
 static const double row = 19;
 
+// the first tendons tell the families apart
+enum { MOST_TOLD = 32 };
+
 static unsigned pulled(const rod_result *rod, int solution)
 {
     unsigned set = 0;
-    for (int i = 0; i < rod->ntendon && i < RESULT_MAX_TENDONS; i++) {
+    for (int i = 0; i < rod->ntendon && i < MOST_TOLD; i++) {
         set |= rod->run[solution].tension[i] > 0 ? 1u << i : 0;
     }
     return set;
@@ -20,7 +23,7 @@ static unsigned pulled(const rod_result *rod, int solution)
 static double total_tension(const rod_result *rod, int solution)
 {
     double sum = 0;
-    for (int i = 0; i < rod->ntendon && i < RESULT_MAX_TENDONS; i++) {
+    for (int i = 0; i < rod->ntendon; i++) {
         sum += rod->run[solution].tension[i];
     }
     return sum;
@@ -72,7 +75,7 @@ void rod_label(const rod_result *rod, int solution, char *text, size_t size)
 {
     size_t used = 0;
     text[0] = 0;
-    for (int i = 0; i < rod->ntendon && i < RESULT_MAX_TENDONS; i++) {
+    for (int i = 0; i < rod->ntendon; i++) {
         const double tension = rod->run[solution].tension[i];
         if (tension > 0 && used < size) {
             const int n = snprintf(text + used, size - used, "%s%s %s N", used ? ", " : "",

@@ -4,6 +4,9 @@
 
 #include "reports/result.h"
 
+// {"schema": ..., the documents' common beginning
+void json_begin(json *j, const char *key, const char *schema, const run_result *r);
+
 // The keys of a station that do not follow from its K as it stands; what was not computed is null.
 status json_station_answers(json *j, const run_result *r, int station);
 

@@ -44,7 +44,8 @@ static int full_shape(const column *c, const column_rows *rows, size_t shape[4],
 
 static char *member(const column *c, const column_rows *rows, size_t i)
 {
-    return (char *)rows->base + i * rows->stride + c->offset;
+    char *at = (char *)rows->base + i * rows->stride + c->offset;
+    return rows->behind ? *(char **)(void *)at : at;
 }
 
 static bool shape_is(int rank, const size_t *shape, int found_rank, const size_t *found)

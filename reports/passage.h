@@ -45,6 +45,7 @@ typedef struct column_rows {
     void *base;
     size_t n, stride;
     bool single; // one struct; no leading dimension
+    bool behind; // the members are pointers to the items
 } column_rows;
 
 status passage_columns(const passage *p, const char *group, int ncolumn, const column *columns,

@@ -1,5 +1,5 @@
 // reports/passage_mesh.c
-#include "reports/passage.h"
+#include "reports/store_parts.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -83,21 +83,20 @@ status passage_mesh(const passage *p, const char *group, int dim, int nmaterial,
     if (p->reading) {
         TRY(make_counted(&n, m));
     }
-    TRY(passage_columns(p, group, 1, &node,
-                        (column_rows){m->xyz, (size_t)n.nnode, 3 * sizeof(double), false}));
+    TRY(passage_columns(p, group, 1, &node, rows_of(m->xyz, n.nnode, 3 * sizeof(double))));
     TRY(p->reading ? check_extent(p, passage_join(group, "node_m").text, dim, m) : OK);
     for (int b = 0; b < n.nblock; b++) {
         const mesh_block *block = &m->block[b];
-        const size_t width = (size_t)block->per_elem, nelem = (size_t)block->nelem;
+        const size_t width = (size_t)block->per_elem;
         const column conn = {"connectivity", COLUMN_INT, "-", 0, 1, {width}, n.nnode - 1};
         const column material = {"material", COLUMN_INT, "-", 0, 0, {0}, nmaterial - 1};
         char tail[64];
         (void)snprintf(tail, sizeof tail, "block/%d", b);
         const passage_name inner = passage_join(group, tail);
         TRY(passage_columns(p, inner.text, 1, &conn,
-                            (column_rows){block->conn, nelem, width * sizeof(int), false}));
+                            rows_of(block->conn, block->nelem, width * sizeof(int))));
         TRY(passage_columns(p, inner.text, 1, &material,
-                            (column_rows){block->material, nelem, sizeof(int), false}));
+                            rows_of(block->material, block->nelem, sizeof(int))));
     }
 
 done:

@@ -1,18 +1,103 @@
 // reports/result.c
 #include "reports/result.h"
 
+#include "base/memory.h"
+
 #include <math.h>
 #include <stdlib.h>
+
+static void free_run(struct rod_run *run)
+{
+    free(run->tension);
+    free(run->pull);
+    free(run->tendon_length);
+    free(run->load);
+    free(run->rates.tension);
+    free(run->rates.pull);
+    free(run->rates.load);
+    free(run->strain);
+    free(run->s);
+    free(run->shape);
+    free(run->curvature);
+    free(run->stretch);
+    free(run->wrench);
+    free(run->along);
+}
 
 static void free_rods(rod_result *rod)
 {
     for (int i = 0; rod->run && i < rod->nsolution; i++) {
-        free(rod->run[i].s);
-        free(rod->run[i].shape);
-        free(rod->run[i].curvature);
-        free(rod->run[i].strain);
+        free_run(&rod->run[i]);
     }
     free(rod->run);
+    free(rod->tendon_name);
+    free(rod->tendon_base);
+    free(rod->load_name);
+}
+
+static status take_run(const rod_result *rod, struct rod_run *run)
+{
+    status st = OK;
+    const size_t nt = (size_t)rod->ntendon, nl = (size_t)rod->nload;
+    TRY(TAKE(run->tension, nt));
+    TRY(TAKE(run->pull, nt));
+    TRY(TAKE(run->tendon_length, nt));
+    TRY(TAKE(run->load, nl));
+    TRY(TAKE(run->rates.tension, rod->has_rates ? nt : 0));
+    TRY(TAKE(run->rates.pull, rod->has_rates ? nt : 0));
+    TRY(TAKE(run->rates.load, rod->has_rates ? nl : 0));
+
+done:
+    return st;
+}
+
+status rod_result_make(const rod_result *sizes, rod_result *out)
+{
+    status st = OK;
+    rod_result r = {.ntendon = sizes->ntendon,
+                    .npoint = sizes->npoint,
+                    .nload = sizes->nload,
+                    .has_rates = sizes->has_rates};
+    TRY(TAKE(r.tendon_name, (size_t)r.ntendon));
+    TRY(TAKE(r.tendon_base, (size_t)r.ntendon));
+    TRY(TAKE(r.load_name, (size_t)r.nload));
+    TRY(TAKE(r.run, (size_t)sizes->nsolution));
+    r.nsolution = sizes->nsolution;
+    for (int i = 0; i < r.nsolution; i++) {
+        TRY(take_run(&r, &r.run[i]));
+    }
+    *out = r;
+    r = (rod_result){0};
+
+done:
+    free_rods(&r);
+    return st;
+}
+
+status rod_run_room(const rod_result *rod, struct rod_run *run)
+{
+    status st = OK;
+    const size_t n = (size_t)rod->npoint;
+    TRY(TAKE(run->s, n));
+    TRY(TAKE(run->shape, n));
+    TRY(TAKE(run->curvature, n));
+    TRY(TAKE(run->stretch, n));
+    TRY(TAKE(run->wrench, n));
+    TRY(TAKE(run->along, n * (size_t)rod->ntendon));
+
+done:
+    return st;
+}
+
+double result_energy_misfit(const struct rod_run *run)
+{
+    const double most = fmax(fabs(run->energy), fabs(run->work));
+    return most > 0 ? fabs(run->energy - run->work) / most : run->energy - run->work;
+}
+
+bool result_is_slack(const struct rod_run *run, int tendon)
+{
+    return !isnan(run->pull[tendon]) && run->tension[tendon] == 0;
 }
 
 void run_result_free(run_result *r)

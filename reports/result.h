@@ -11,6 +11,7 @@
 #include "io/csv.h"
 #include "io/json.h"
 #include "io/store.h"
+#include "rodsolver/rod.h"
 #include "section/answers.h"
 #include "section/section.h"
 #include "section/strain_along.h"
@@ -29,28 +30,66 @@ typedef struct compare_row {
     bool ok;
 } compare_row;
 
+enum { RESULT_MAX_TENDONS = 256, RESULT_MAX_LOADS = 256, RESULT_NAME = 64 };
+
+// How the tip moves with what acts on the rod: columns are body twists of the tip (linear part
+// first).
+typedef struct rod_rates {
+    vec6 *tension, *pull; // [ntendon] by tension [.. per N], by pulled length [.. per m]; 0 where
+                          // the other of the two was given
+    vec6 *load;           // [nload] by the loads' factors
+    mat6 space, body;     // by wrenches on the tip, fixed in space or turning with it
+} rod_rates;
+
 typedef struct rod_result {
     int ntendon, npoint;
-    char tendon_name[16][64];
-    double tendon_base[16][2]; // where each starts: x, y at s = 0 [m]
+    int nload;                        // point loads, line loads, then gravity where there is any
+    char (*tendon_name)[RESULT_NAME]; // [ntendon]
+    double (*tendon_base)[2];         // [ntendon] where each starts: x, y at s = 0 [m]
+    char (*load_name)[RESULT_NAME];   // [nload]
+    bool has_rates;
     int nsolution;
     struct rod_run {
-        double tension[16];       // [ntendon] [N]
-        double tendon_length[16]; // [m]
+        double *tension; // [ntendon] at the base, given or found [N]; 0: slack
+        double *pull;    // [ntendon] length drawn out of the base [m]; NAN where the tension was
+                         // given instead
+        double *tendon_length; // [ntendon] inside the body [m]
+        double *load;          // [nload] factors of the loads
         pose tip;
         double total_bend_rad; // angle between base and tip tangent, followed continuously along
                                // the rod
         int iterations;
         double relative_error;
+        double fraction;   // of loads and tensions that was reached: below 1 at a limit point, and
+                           // all else belongs to the shape there
+        int stable;        // 1, 0, or -1: not known
+        double eigenvalue; // smallest of the second variation over the elastic energy's; NAN: none
+        int ncritical;     // limit points and bifurcations on the way from the start
+        rod_critical critical[ROD_MAX_CRITICAL];
+        double energy, work; // stored in the strains, and done by what acts [J]; NAN: no potential
+        double residual;     // of the balance at the stations, over the largest strain
         double largest_strain;        // principal, over all materials and the whole rod [-]
         section_strain_place *strain; // [nmaterial] the same for each; NULL: not known
+        rod_rates rates;              // where has_rates
         double *s;                    // [npoint] [m]
-        pose *shape;                  // [npoint]
+        pose *shape;                  // [npoint] of the geometric centreline, in the world
         double (*curvature)[3];       // [npoint] body components of w (kx, ky, twist) [1/m]
+        double (*stretch)[3];         // [npoint] v - e_z: shear x, shear y, elongation [-]
+        vec6 *wrench;                 // [npoint] of the section alone: force [N], moment [N m]
+        double *along;                // [npoint][ntendon] tension there [N]; 0 past its end
     } * run;                          // [nsolution]
 } rod_result;
 
-enum { RESULT_MAX_TENDONS = 16 };
+// Room for everything but the materials' strains, zeroed; out->nsolution is set. The counts and
+// has_rates of `sizes` are looked at, nothing else. rod_run_room: for the shape of one solution.
+status rod_result_make(const rod_result *sizes, rod_result *out);
+status rod_run_room(const rod_result *rod, struct rod_run *run);
+
+// |energy - work| over the larger of the two; NAN where there is no potential.
+double result_energy_misfit(const struct rod_run *run);
+
+// Whether the tendon's length was given and it hangs loose.
+bool result_is_slack(const struct rod_run *run, int tendon);
 
 typedef struct run_result {
     char title[160];
@@ -94,8 +133,8 @@ int result_beyond_linear(const run_result *r, const struct rod_run *run);
 // What belongs to a station beyond its law; NULL where it was not asked for.
 const section_answers *result_answers(const run_result *r, int station);
 
-// reports/result_json.c: the documents of the contract ("stiffaxis/section/1" ...). run: {"schema":
-// "stiffaxis/run/1", "section":
+// reports/result_json.c, json_rod.c: the documents of the contract ("stiffaxis/section/1" ...).
+// run: {"schema": "stiffaxis/run/1", "section":
 // {...}, "rod": {...}, "fem": {...}, "compare": {...}} with the parts that are there.
 status result_json_section(json *j, const char *key, const run_result *r);
 status result_json_rod(json *j, const char *key, const run_result *r);

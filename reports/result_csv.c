@@ -69,20 +69,53 @@ static void add_tendons(csv_header *h, const rod_result *rod, const char *what, 
     }
 }
 
+// one column per load; a factor has no unit
+static void add_loads(csv_header *h, const rod_result *rod)
+{
+    for (int i = 0; i < rod->nload; i++) {
+        char name[CSV_MAX_NAME];
+        (void)snprintf(name, sizeof name, "load_%d_%.40s%sratio", i + 1, rod->load_name[i],
+                       rod->load_name[i][0] ? "_" : "");
+        csv_add(h, name);
+    }
+}
+
+static void rod_header(csv_header *h, const run_result *r)
+{
+    const rod_result *rod = &r->rod;
+    csv_add_all(h, "solution_count");
+    add_tendons(h, rod, "tension", "N");
+    csv_add_all(h,
+                "tip_x_m tip_y_m tip_z_m tip_Rxx_ratio tip_Rxy_ratio tip_Rxz_ratio tip_Ryx_ratio "
+                "tip_Ryy_ratio tip_Ryz_ratio tip_Rzx_ratio tip_Rzy_ratio tip_Rzz_ratio "
+                "total_bend_rad");
+    add_tendons(h, rod, "length", "m");
+    csv_add_all(h, "iterations_count relative_error_ratio largest_strain_ratio");
+    csv_add_strains(h, r);
+    add_tendons(h, rod, "pull", "m");
+    add_loads(h, rod);
+    csv_add_all(h, "reached_ratio stable eigenvalue_ratio critical_points_count energy_J work_J "
+                   "energy_misfit_ratio residual_ratio");
+}
+
+static void write_stability(csv *c, const struct rod_run *run)
+{
+    csv_real(c, run->fraction);
+    csv_text(c, run->stable < 0 ? "" : run->stable ? "true" : "false");
+    csv_real(c, run->eigenvalue);
+    csv_real(c, run->ncritical);
+    csv_real(c, run->energy);
+    csv_real(c, run->work);
+    csv_real(c, result_energy_misfit(run));
+    csv_real(c, run->residual);
+}
+
 static status write_rods(const run_result *r, const char *dir)
 {
     csv *c = NULL;
     csv_header h = {0};
     const rod_result *rod = &r->rod;
-    csv_add_all(&h, "solution_count");
-    add_tendons(&h, rod, "tension", "N");
-    csv_add_all(&h,
-                "tip_x_m tip_y_m tip_z_m tip_Rxx_ratio tip_Rxy_ratio tip_Rxz_ratio tip_Ryx_ratio "
-                "tip_Ryy_ratio tip_Ryz_ratio tip_Rzx_ratio tip_Rzy_ratio tip_Rzz_ratio "
-                "total_bend_rad");
-    add_tendons(&h, rod, "length", "m");
-    csv_add_all(&h, "iterations_count relative_error_ratio largest_strain_ratio");
-    csv_add_strains(&h, r);
+    rod_header(&h, r);
     const status st = csv_table(dir, "rods.csv", &h, &c);
     for (int i = 0; st == OK && i < rod->nsolution; i++) {
         const struct rod_run *run = &rod->run[i];
@@ -96,6 +129,9 @@ static status write_rods(const run_result *r, const char *dir)
         csv_real(c, run->relative_error);
         csv_real(c, run->largest_strain);
         csv_strains(c, r, run);
+        csv_reals(c, rod->ntendon, run->pull);
+        csv_reals(c, rod->nload, run->load);
+        write_stability(c, run);
     }
     return st == OK ? csv_close(c) : st;
 }
@@ -104,16 +140,23 @@ static status write_shapes(const run_result *r, const char *dir)
 {
     csv *c = NULL;
     csv_header h = {0};
+    const rod_result *rod = &r->rod;
     csv_add_all(&h,
-                "solution_count s_m x_m y_m z_m curvature_x_per_m curvature_y_per_m twist_per_m");
+                "solution_count s_m x_m y_m z_m curvature_x_per_m curvature_y_per_m twist_per_m "
+                "shear_x_ratio shear_y_ratio elongation_ratio force_x_N force_y_N force_z_N "
+                "moment_x_Nm moment_y_Nm moment_z_Nm");
+    add_tendons(&h, rod, "tension", "N");
     const status st = csv_table(dir, "shapes.csv", &h, &c);
-    for (int i = 0; st == OK && i < r->rod.nsolution; i++) {
-        const struct rod_run *run = &r->rod.run[i];
-        for (int k = 0; k < r->rod.npoint; k++) {
+    for (int i = 0; st == OK && i < rod->nsolution; i++) {
+        const struct rod_run *run = &rod->run[i];
+        for (int k = 0; k < rod->npoint; k++) {
             csv_real(c, i + 1);
             csv_real(c, run->s[k]);
             csv_reals(c, 3, run->shape[k].p.a);
             csv_reals(c, 3, run->curvature[k]);
+            csv_reals(c, 3, run->stretch[k]);
+            csv_reals(c, 6, run->wrench[k].a);
+            csv_reals(c, rod->ntendon, run->along + (size_t)k * (size_t)rod->ntendon);
         }
     }
     return st == OK ? csv_close(c) : st;

@@ -9,23 +9,13 @@ static const char *const model_names[] = {"full", "classical"};
 static const char *const base_names[] = {"clamped", "free_to_contract"};
 static const char *const tip_names[] = {"rigid", "E_proportional", "uniform"};
 
-// {"schema": ..., the documents' common beginning
-static void begin(json *j, const char *key, const char *schema, const run_result *r)
+void json_begin(json *j, const char *key, const char *schema, const run_result *r)
 {
     json_object(j, key);
     json_text(j, "schema", schema);
     if (!key) {
         json_text(j, "title", r->title);
     }
-}
-
-static void write_mat3(json *j, const char *key, const mat3 *m)
-{
-    json_array(j, key);
-    for (int i = 0; i < 3; i++) {
-        json_reals(j, NULL, 3, m->a[i]);
-    }
-    json_array_end(j);
 }
 
 static status write_station(json *j, const run_result *r, int station)
@@ -54,7 +44,7 @@ static status write_station(json *j, const run_result *r, int station)
 status result_json_section(json *j, const char *key, const run_result *r)
 {
     status st = OK;
-    begin(j, key, "stiffaxis/section/1", r);
+    json_begin(j, key, "stiffaxis/section/1", r);
     json_text(j, "model", model_names[r->section_model]);
     json_integer(j, "sections_solved", r->section.effort.nsolved);
     json_real(j, "interpolation_relative_error", r->section.along.relative_error);
@@ -70,57 +60,6 @@ status result_json_section(json *j, const char *key, const run_result *r)
 
 done:
     return st;
-}
-
-static void write_shape(json *j, const struct rod_run *run, int npoint)
-{
-    json_array(j, "shape");
-    for (int i = 0; i < npoint; i++) {
-        json_object(j, NULL);
-        json_real(j, "s_m", run->s[i]);
-        json_reals(j, "p_m", 3, run->shape[i].p.a);
-        json_reals(j, "curvature_per_m", 3, run->curvature[i]);
-        json_object_end(j);
-    }
-    json_array_end(j);
-}
-
-static void write_run(json *j, const run_result *r, const struct rod_run *run)
-{
-    const rod_result *rod = &r->rod;
-    json_object(j, NULL);
-    json_reals(j, "tensions_N", rod->ntendon, run->tension);
-    json_reals(j, "tip_position_m", 3, run->tip.p.a);
-    write_mat3(j, "tip_rotation", &run->tip.R);
-    json_real(j, "total_bend_rad", run->total_bend_rad);
-    json_reals(j, "tendon_length_m", rod->ntendon, run->tendon_length);
-    json_integer(j, "iterations", run->iterations);
-    // no external load: the energy of every section is convex, its minimum the one solution
-    // docs/theory.md (4.3)
-    json_flag(j, "stable", true);
-    json_real(j, "relative_error", run->relative_error);
-    json_real(j, "largest_strain", run->largest_strain);
-    json_run_strains(j, r, run);
-    write_shape(j, run, rod->npoint);
-    json_object_end(j);
-}
-
-status result_json_rod(json *j, const char *key, const run_result *r)
-{
-    begin(j, key, "stiffaxis/rod/1", r);
-    json_real(j, "length_m", r->rod_length);
-    json_array(j, "tendons");
-    for (int i = 0; i < r->rod.ntendon; i++) {
-        json_text(j, NULL, r->rod.tendon_name[i]);
-    }
-    json_array_end(j);
-    json_array(j, "solutions");
-    for (int i = 0; i < r->rod.nsolution; i++) {
-        write_run(j, r, &r->rod.run[i]);
-    }
-    json_array_end(j);
-    json_object_end(j);
-    return OK;
 }
 
 static void write_load(json *j, const segment_load_result *load)
@@ -141,7 +80,7 @@ static void write_load(json *j, const segment_load_result *load)
 status result_json_segment(json *j, const char *key, const run_result *r)
 {
     const segment_result *s = &r->segment;
-    begin(j, key, "stiffaxis/fem/1", r);
+    json_begin(j, key, "stiffaxis/fem/1", r);
     json_real(j, "length_m", r->segment_length);
     json_real(j, "section_at_m", r->segment_section_at);
     json_text(j, "base", base_names[r->segment_base]);
@@ -181,7 +120,7 @@ static void write_row(json *j, const compare_row *row)
 status result_json_compare(json *j, const char *key, const run_result *r)
 {
     bool ok = true;
-    begin(j, key, "stiffaxis/compare/1", r);
+    json_begin(j, key, "stiffaxis/compare/1", r);
     json_array(j, "rows");
     for (int i = 0; i < r->ncompare; i++) {
         write_row(j, &r->compare[i]);
@@ -196,7 +135,7 @@ status result_json_compare(json *j, const char *key, const run_result *r)
 status result_json_run(json *j, const run_result *r)
 {
     status st = OK;
-    begin(j, NULL, "stiffaxis/run/1", r);
+    json_begin(j, NULL, "stiffaxis/run/1", r);
     TRY(r->has_section ? result_json_section(j, "section", r) : OK);
     TRY(r->has_rod ? result_json_rod(j, "rod", r) : OK);
     TRY(r->has_segment ? result_json_segment(j, "fem", r) : OK);

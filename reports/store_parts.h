@@ -26,6 +26,12 @@ static inline column_rows rows_of(void *base, int n, size_t stride)
     return (column_rows){.base = base, .n = (size_t)n, .stride = stride};
 }
 
+// the same where the members are pointers to the items
+static inline column_rows rows_behind(void *base, int n, size_t stride)
+{
+    return (column_rows){.base = base, .n = (size_t)n, .stride = stride, .behind = true};
+}
+
 static inline column_rows single(void *base)
 {
     return (column_rows){.base = base, .n = 1, .single = true};

@@ -139,12 +139,10 @@ static inline status make_rod(run_result *r, int nsolution, double turns)
     status st = OK;
     rod_result *rod = &r->rod;
     r->has_rod = true;
-    rod->ntendon = 2;
-    rod->npoint = SHAPE_POINTS;
-    rod->nsolution = nsolution;
+    const rod_result sizes = {.ntendon = 2, .npoint = SHAPE_POINTS, .nsolution = nsolution};
+    TRY(rod_result_make(&sizes, rod));
     (void)snprintf(rod->tendon_name[0], sizeof rod->tendon_name[0], "left <b>&");
     (void)snprintf(rod->tendon_name[1], sizeof rod->tendon_name[1], "right");
-    TRY(TAKE(rod->run, (size_t)nsolution));
     for (int i = 0; i < nsolution; i++) {
         struct rod_run *run = &rod->run[i];
         const int side = 2 * i >= nsolution;
@@ -153,9 +151,10 @@ static inline status make_rod(run_result *r, int nsolution, double turns)
         run->tendon_length[0] = run->tendon_length[1] = r->rod_length * (1 - 0.01 * tension);
         run->largest_strain = 0.04 * tension;
         run->relative_error = 1e-10;
-        TRY(TAKE(run->s, SHAPE_POINTS));
-        TRY(TAKE(run->shape, SHAPE_POINTS));
-        TRY(TAKE(run->curvature, SHAPE_POINTS));
+        run->pull[0] = run->pull[1] = NAN;
+        run->fraction = 1;
+        run->stable = 1;
+        TRY(rod_run_room(rod, run));
         run->shape[0] = pose_identity();
         const double ds = r->rod_length / (SHAPE_POINTS - 1);
         for (int k = 0; k < SHAPE_POINTS; k++) {

@@ -34,13 +34,10 @@ static status add_rod(run_result *r)
     const section_strain_place strain[2] = {{-0.12, 0.03, {4e-3, 1e-3}}, {0.02, 0, {-4e-3, 0}}};
     r->has_rod = true;
     r->rod_length = 0.12;
-    r->rod = (rod_result){.npoint = 2, .nsolution = 1};
-    TRY(TAKE(r->rod.run, 1));
+    TRY(rod_result_make(&(rod_result){.npoint = 2, .nsolution = 1}, &r->rod));
     struct rod_run *run = &r->rod.run[0];
     run->largest_strain = 0.12;
-    TRY(TAKE(run->s, 2));
-    TRY(TAKE(run->shape, 2));
-    TRY(TAKE(run->curvature, 2));
+    TRY(rod_run_room(&r->rod, run));
     TRY(TAKE(run->strain, 2));
     memcpy(run->strain, strain, sizeof strain);
 

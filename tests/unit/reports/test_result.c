@@ -107,35 +107,71 @@ static void make_section(counter *c, run_result *r)
     s->along.relative_error = 1e-7;
 }
 
+static void make_solution(counter *c, const rod_result *rod, int i)
+{
+    struct rod_run *run = &rod->run[i];
+    fill(c, 2, run->tension);
+    fill(c, 2, run->tendon_length);
+    fill(c, 1, run->load);
+    run->pull[0] = NAN; // its tension was given
+    run->pull[1] = 0.002;
+    run->tension[1] = i ? 0 : run->tension[1];
+    fill(c, 9, run->tip.R.a);
+    fill(c, 3, run->tip.p.a);
+    fill(c, 1, &run->total_bend_rad);
+    fill(c, 1, &run->largest_strain);
+    run->iterations = 7 + i;
+    run->relative_error = i ? NAN : 1e-12; // an estimate may be missing
+    run->fraction = i ? 0.75 : 1;
+    run->stable = i ? -1 : 1;
+    run->eigenvalue = i ? NAN : 0.5;
+    run->energy = i ? NAN : 2;
+    run->work = i ? NAN : 1.5;
+    run->residual = 1e-13;
+    run->ncritical = 2 * i;
+    run->critical[0] = (rod_critical){CRITICAL_BIFURCATION, 0.25, 1};
+    run->critical[1] = (rod_critical){CRITICAL_LIMIT, 0.75, -1};
+}
+
+static void make_shape(counter *c, const rod_result *rod, struct rod_run *run)
+{
+    CHECK_OK(rod_run_room(rod, run));
+    fill(c, 3, run->s);
+    fill(c, 9, run->curvature);
+    fill(c, 9, run->stretch);
+    fill(c, 18, run->wrench);
+    fill(c, 6, run->along);
+    for (int k = 0; k < 3; k++) {
+        fill(c, 9, run->shape[k].R.a);
+        fill(c, 3, run->shape[k].p.a);
+    }
+}
+
+static void make_rates(counter *c, rod_rates *rates)
+{
+    fill(c, 12, rates->tension);
+    fill(c, 12, rates->pull);
+    fill(c, 6, rates->load);
+    fill(c, 36, rates->space.a);
+    fill(c, 36, rates->body.a);
+}
+
 static void make_rod(counter *c, run_result *r)
 {
     rod_result *rod = &r->rod;
+    const rod_result sizes = {
+        .ntendon = 2, .npoint = 3, .nload = 1, .nsolution = 2, .has_rates = true};
     r->has_rod = true;
     r->rod_length = 0.12;
-    *rod = (rod_result){.ntendon = 2, .npoint = 3, .nsolution = 2};
+    CHECK_OK(rod_result_make(&sizes, rod));
     fill(c, 4, rod->tendon_base[0]);
     (void)snprintf(rod->tendon_name[0], sizeof rod->tendon_name[0], "t1");
     (void)snprintf(rod->tendon_name[1], sizeof rod->tendon_name[1], "\"=t2\"");
-    CHECK_OK(TAKE(rod->run, 2));
+    (void)snprintf(rod->load_name[0], sizeof rod->load_name[0], "weight");
     for (int i = 0; i < 2; i++) {
-        struct rod_run *run = &rod->run[i];
-        fill(c, 2, run->tension);
-        fill(c, 2, run->tendon_length);
-        fill(c, 9, run->tip.R.a);
-        fill(c, 3, run->tip.p.a);
-        fill(c, 1, &run->total_bend_rad);
-        fill(c, 1, &run->largest_strain);
-        run->iterations = 7 + i;
-        run->relative_error = i ? NAN : 1e-12; // an estimate may be missing
-        CHECK_OK(TAKE(run->s, 3));
-        CHECK_OK(TAKE(run->shape, 3));
-        CHECK_OK(TAKE(run->curvature, 3));
-        fill(c, 3, run->s);
-        fill(c, 9, run->curvature);
-        for (int k = 0; k < 3; k++) {
-            fill(c, 9, run->shape[k].R.a);
-            fill(c, 3, run->shape[k].p.a);
-        }
+        make_solution(c, rod, i);
+        make_shape(c, rod, &rod->run[i]);
+        make_rates(c, &rod->run[i].rates);
     }
 }
 
@@ -269,11 +305,44 @@ static void documents_have_the_keys_of_the_contract(void)
                                           "K",
                                           "relative_error",
                                           NULL};
-    static const char *const rod[] = {
-        "schema",          "solutions",       "tensions_N", "tip_position_m",
-        "tip_rotation",    "tendon_length_m", "iterations", "stable",
-        "relative_error",  "shape",           "s_m",        "p_m",
-        "curvature_per_m", "largest_strain",  NULL};
+    static const char *const rod[] = {"schema",
+                                      "solutions",
+                                      "tensions_N",
+                                      "tip_position_m",
+                                      "tip_rotation",
+                                      "tendon_length_m",
+                                      "iterations",
+                                      "stable",
+                                      "relative_error",
+                                      "shape",
+                                      "s_m",
+                                      "p_m",
+                                      "curvature_per_m",
+                                      "largest_strain",
+                                      "pulls_m",
+                                      "slack",
+                                      "load_factors",
+                                      "fraction",
+                                      "eigenvalue",
+                                      "critical_points",
+                                      "kind",
+                                      "negative_directions",
+                                      "energy_J",
+                                      "work_J",
+                                      "energy_misfit",
+                                      "residual",
+                                      "tip_derivatives",
+                                      "by_tension_per_N",
+                                      "by_pull_per_m",
+                                      "by_load_factor",
+                                      "compliance_space",
+                                      "compliance_body",
+                                      "strain",
+                                      "force_N",
+                                      "moment_Nm",
+                                      "tension_N",
+                                      "loads",
+                                      NULL};
     static const char *const fem[] = {"schema",
                                       "dofs",
                                       "K",
@@ -355,6 +424,25 @@ static bool same_mesh(const mesh *a, const mesh *b)
                memcmp(p->material, q->material, n * sizeof *p->material) == 0;
     }
     return same;
+}
+
+// what was given, what was found, and what nobody can know
+static void a_rod_tells_slack_stability_and_balance(void)
+{
+    run_result r = make_run();
+    CHECK(!result_is_slack(&r.rod.run[0], 0) && !result_is_slack(&r.rod.run[0], 1));
+    CHECK(!result_is_slack(&r.rod.run[1], 0) && result_is_slack(&r.rod.run[1], 1));
+    CHECK_NEAR(result_energy_misfit(&r.rod.run[0]), 0.25, 1e-15);
+    CHECK(isnan(result_energy_misfit(&r.rod.run[1])));
+    CHECK(result_energy_misfit(&(struct rod_run){0}) == 0);
+
+    char *text = json_of(result_json_rod, &r);
+    CHECK(strstr(text, "\"stable\": true") && strstr(text, "\"stable\": null"));
+    CHECK(strstr(text, "\"kind\": \"limit_point\"") && strstr(text, "\"kind\": \"bifurcation\""));
+    CHECK(strstr(text, "\"negative_directions\": null") && strstr(text, "\"energy_J\": null"));
+    CHECK(strstr(text, "\"pulls_m\": [null, 0.002]"));
+    free(text);
+    run_result_free(&r);
 }
 
 // documents and tables hold nearly everything: the rest is looked at one by one
@@ -492,6 +580,9 @@ static void numbers_beyond_reason_are_refused(const scratch *dir)
         {&r.section.station[0].law.K.a[2][2], 1e308, "section/K"},
         {&r.rod.run[0].shape[1].p.a[2], 1e308, "rod/shape/0/p_m"},
         {&r.rod.run[1].curvature[1][0], -1e308, "rod/shape/1/curvature_per_m"},
+        {&r.rod.run[0].wrench[2].a[5], 1e308, "rod/shape/0/wrench"},
+        {&r.rod.run[1].tension[1], 1e308, "rod/tension_N"},
+        {&r.rod.run[1].rates.pull[1].a[5], 1e308, "rod/tip_by_pull"},
         {&r.rod_length, 1e308, "rod/length_m"},
         {&r.rod_length, 0, "rod/length_m"},
         {&r.rod_length, -0.1, "rod/length_m"},
@@ -603,6 +694,7 @@ int main(void)
     const scratch dir = scratch_make();
     documents_have_the_keys_of_the_contract();
     the_verdict_is_that_of_the_rows();
+    a_rod_tells_slack_stability_and_balance();
     the_store_gives_back_all_of_a_run(&dir);
     parts_that_are_not_there_stay_away(&dir);
     a_file_that_lies_is_refused(&dir);
