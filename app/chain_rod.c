@@ -32,24 +32,18 @@ double chain_total_bend(int npose, const pose *shape)
     return fabs(total);
 }
 
-static status take_run(int npoint, struct rod_run *run)
+// strains, wrench and tensions at the points of the shape
+static status follow_shape(const rod_state *r, const rod_result *rods, struct rod_run *run)
 {
     status st = OK;
-    TRY(TAKE(run->s, (size_t)npoint));
-    TRY(TAKE(run->shape, (size_t)npoint));
-    TRY(TAKE(run->curvature, (size_t)npoint));
-
-done:
-    return st;
-}
-
-static status follow_curvature(const rod_state *r, int npoint, struct rod_run *run)
-{
-    status st = OK;
-    for (int i = 0; i < npoint; i++) {
+    for (int i = 0; i < rods->npoint; i++) {
         vec6 xi;
+        double *tension = run->along + (size_t)i * (size_t)rods->ntendon;
         TRY(rod_strain_at(r, run->s[i], &xi));
+        xi.a[2] -= 1;
+        memcpy(run->stretch[i], &xi.a[0], sizeof run->stretch[i]);
         memcpy(run->curvature[i], &xi.a[3], sizeof run->curvature[i]);
+        TRY(rod_wrench_at(r, run->s[i], &run->wrench[i], tension));
     }
 
 done:
@@ -112,22 +106,38 @@ done:
     return st;
 }
 
+static void keep_solution(const rod_solution *solution, struct rod_run *run)
+{
+    run->tip = solution->tip;
+    run->iterations = solution->iterations;
+    run->relative_error = solution->relative_error;
+    run->fraction = solution->fraction;
+    run->stable = solution->stable;
+    run->eigenvalue = solution->eigenvalue;
+    run->ncritical = solution->ncritical;
+    memcpy(run->critical, solution->critical, sizeof run->critical);
+    run->energy = solution->energy;
+    run->work = solution->work;
+    run->residual = solution->residual;
+}
+
 static status solve_run(rod_state *r, const double *tension, rod_result *rods, struct rod_run *run)
 {
     status st = OK;
     double s[BEND_SAMPLES];
     pose *samples = NULL;
-    rod_solution solution = {.tendon_length = run->tendon_length};
+    rod_solution solution = {.tendon_length = run->tendon_length, .tension = run->tension};
+    const rod_request request = {.tension = tension, .cold = true, .stability = true};
+    for (int i = 0; i < rods->ntendon; i++) {
+        run->pull[i] = NAN;
+    }
     TRY(TAKE(samples, BEND_SAMPLES));
-    TRY(take_run(rods->npoint, run));
-    memcpy(run->tension, tension, (size_t)rods->ntendon * sizeof *tension);
-    TRY(rod_solve(r, &(rod_request){.tension = tension, .cold = true}, &solution));
+    TRY(rod_run_room(rods, run));
+    TRY(rod_solve(r, &request, &solution));
+    keep_solution(&solution, run);
     TRY(rod_shape(r, rods->npoint, run->s, run->shape));
     TRY(rod_shape(r, BEND_SAMPLES, s, samples));
-    TRY(follow_curvature(r, rods->npoint, run));
-    run->tip = solution.tip;
-    run->iterations = solution.iterations;
-    run->relative_error = solution.relative_error;
+    TRY(follow_shape(r, rods, run));
     run->total_bend_rad = chain_total_bend(BEND_SAMPLES, samples);
 
 done:
@@ -138,7 +148,6 @@ done:
 static void describe_tendons(const rod_case *rc, rod_result *rods)
 {
     const tendon_spec *tendons = rc->tendons.items;
-    rods->ntendon = rc->tendons.count;
     for (int i = 0; i < rods->ntendon; i++) {
         const tendon_spec *t = &tendons[i];
         const double radius = field_at(&t->radius, 0), angle = field_at(&t->angle, 0);
@@ -163,14 +172,11 @@ status chain_rods(const command *cmd, const case_data *c, run_result *out)
     rod *r = NULL;
     rod_state *state = NULL;
     samples all = {0};
-    if (rc->tendons.count > RESULT_MAX_TENDONS) {
-        return config_fail(c->config, rc->tendons.at, "%d tendons: at most %d", rc->tendons.count,
-                           RESULT_MAX_TENDONS);
-    }
     out->rod_length = rc->length;
-    out->rod.npoint = rc->points;
+    const rod_result sizes = {
+        .ntendon = rc->tendons.count, .npoint = rc->points, .nsolution = rc->tensions.nrow};
+    TRY(rod_result_make(&sizes, &out->rod));
     describe_tendons(rc, &out->rod);
-    TRY(TAKE(out->rod.run, (size_t)rc->tensions.nrow));
     TRY(TAKE(all.wrench, (size_t)rc->tensions.nrow * STRAIN_SAMPLES));
     for (int i = 0; i < STRAIN_SAMPLES; i++) {
         all.s[i] = rc->length * i / (STRAIN_SAMPLES - 1);
@@ -181,7 +187,6 @@ status chain_rods(const command *cmd, const case_data *c, run_result *out)
         char words[48];
         (void)snprintf(words, sizeof words, "rod %d of %d", i + 1, rc->tensions.nrow);
         command_progress(cmd, words);
-        out->rod.nsolution = i + 1; // from here the result owns what solve_run takes
         const double *tension = rc->tensions.a + (size_t)i * (size_t)rc->tensions.ncol;
         st = solve_run(state, tension, &out->rod, &out->rod.run[i]);
         TRY(case_place(c, st, rc->tensions.at));
