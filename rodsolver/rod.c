@@ -44,6 +44,7 @@ status rod_make(const rod_spec *spec, const rod_options *options, rod **out)
     TRY(rod_copy_spec(r, spec));
     if (options->npanel > 0) {
         TRY(plan_add(r, options->npanel));
+        TRY(plan_make(r, (options->npanel + 1) / 2, &r->half));
     } else {
         TRY(plans_choose(r));
     }
@@ -64,6 +65,7 @@ void rod_free(rod *r)
     for (int i = 0; i < r->nplan; i++) {
         plan_free(&r->plans[i], r);
     }
+    plan_free(&r->half, r);
     free(r->spec);
     free(r->point_loads);
     free(r->line_loads);

@@ -116,6 +116,19 @@ done:
     return st;
 }
 
+// A rod bent by a load through a turn or two meets 1e-6 of its length with this many panels
+static const double panels_for_loads = 24, tolerance_of_them = 1e-6;
+
+static int level_for_loads(const rod *r)
+{
+    const double n = panels_for_loads * pow(tolerance_of_them / r->options.tolerance, 1.0 / 6);
+    int k = 0;
+    while (k < ROD_MAX_PLANS - 1 && panel_count[k] < n) {
+        k++;
+    }
+    return k;
+}
+
 status plans_choose(rod *r)
 {
     status st = OK;
@@ -129,7 +142,9 @@ status plans_choose(rod *r)
         }
         r->first_plan[k] = level;
     }
-    for (int k = r->nplan; k < ROD_MAX_PLANS && k <= level + PLANS_IN_RESERVE; k++) {
+    level += PLANS_IN_RESERVE;
+    level = level > level_for_loads(r) ? level : level_for_loads(r);
+    for (int k = r->nplan; k < ROD_MAX_PLANS && k <= level; k++) {
         TRY(plan_at(r, k, &state));
     }
 

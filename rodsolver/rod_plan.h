@@ -64,6 +64,7 @@ struct rod {
 
     int nplan;
     plan plans[ROD_MAX_PLANS];  // from coarse to fine
+    plan half;                  // where the number of panels is given: half of them
     int first_plan[ROD_PROBES]; // the plan to begin with, by the share of the critical tension
     double doubt; // factor >= 1 on every estimate of the chain, from a comparison of plans
 };

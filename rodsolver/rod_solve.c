@@ -445,6 +445,7 @@ status rod_solve(rod_state *state, const rod_request *request, rod_solution *out
     state->by_load = false;
     TRY(solve_stationwise(state, out));
     tell(state, out);
+    equilibrium_remember(state);
 
 done:
     if (st != OK) {

@@ -1,0 +1,282 @@
+// rodsolver/equilibrium_critical.c
+// Critical points on the way: bifurcations between two points of it, limit points by arclength.
+// docs/theory.md (4.24)
+#include "rodsolver/equilibrium_path.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { SEARCH_STEPS = 60, ARC_STEPS = 2000, ARC_CORRECTIONS = 8 };
+
+// the width of the bracket at which a search stops, of the factor
+static const double search_width = 1e-10;
+// corrections while searching
+static const double search_tolerance = 1e-9;
+
+// The determinant over the one at the bracket's left end, as a function that crosses zero once:
+// its root of the order in which it vanishes, with the sign of "not yet passed"
+static double crossing_value(const equilibrium *e, const path *way, double log_left, int order)
+{
+    const bool before =
+        e->conservative ? e->negative == way->negative : e->determinant == way->determinant;
+    const double size = exp((e->log_determinant - log_left) / order);
+    return before ? size : -size;
+}
+
+// Illinois on the bracket: the determinant is smooth along the way
+static bool search(equilibrium *e, const path *way, double log_left, int order, double *root)
+{
+    double a = way->factor, b = e->factor;
+    double fa = 1, fb = crossing_value(e, way, log_left, order);
+    int side = 0;
+    for (int k = 0; k < SEARCH_STEPS && b - a > search_width; k++) {
+        double c = k % 4 == 3 ? (a + b) / 2 : (a * fb - b * fa) / (fb - fa);
+        c = c > a && c < b ? c : (a + b) / 2;
+        double moved;
+        path_factor(e, c);
+        if (!newton_correct(e, search_tolerance, 2 * ARC_CORRECTIONS, &moved) ||
+            !newton_linearize(e)) {
+            break;
+        }
+        const double fc = crossing_value(e, way, log_left, order);
+        if (fc > 0) {
+            a = c;
+            fa = fc;
+            fb = side == 1 ? fb / 2 : fb;
+            side = 1;
+        } else {
+            b = c;
+            fb = fc;
+            fa = side == -1 ? fa / 2 : fa;
+            side = -1;
+        }
+    }
+    *root = (a + b) / 2;
+    return b - a <= 1e-4;
+}
+
+bool path_find_crossing(equilibrium *e, path *way)
+{
+    const double right = e->factor;
+    const int negative = e->negative, determinant = e->determinant;
+    const int order =
+        e->conservative && abs(negative - way->negative) > 0 ? abs(negative - way->negative) : 1;
+    const double log_right = e->log_determinant;
+    // the right end is kept aside: the search walks over e->xi
+    memcpy(e->direction, e->xi, (size_t)e->plan->nstation * sizeof *e->xi);
+    memcpy(e->tension_direction, e->tension, (size_t)e->rod->ntendon * sizeof *e->tension);
+    double root = right;
+    const bool found = search(e, way, way->log_determinant, order, &root);
+    if (found) {
+        path_record(way, CRITICAL_BIFURCATION, root, e->conservative ? negative : -1);
+    }
+    memcpy(e->xi, e->direction, (size_t)e->plan->nstation * sizeof *e->xi);
+    memcpy(e->tension, e->tension_direction, (size_t)e->rod->ntendon * sizeof *e->tension);
+    path_factor(e, right);
+    if (!newton_linearize(e)) {
+        return false;
+    }
+    e->negative = negative;
+    e->determinant = determinant;
+    e->log_determinant = log_right;
+    return found;
+}
+
+// --- arclength
+
+// The tangent of the way at e, oriented along the last one: strains in e->direction (unit in the
+// product with the factor), its component along the factor returned
+static double arc_tangent(equilibrium *e, bool first, double last)
+{
+    newton_slope(e);
+    const double size = sqrt(path_product(e, e->slope, e->slope) + 1);
+    const double along = first ? 1 : path_product(e, e->slope, e->direction) + last;
+    const double sign = along < 0 ? -1 : 1;
+    for (int i = 0; i < e->plan->nstation; i++) {
+        e->direction[i] = vec6_scale(sign / size, e->slope[i]);
+    }
+    for (int i = 0; i < e->rod->ntendon; i++) {
+        e->tension_direction[i] = sign / size * e->tension_slope[i];
+    }
+    return sign / size;
+}
+
+// Corrects across the direction of the step, the factor being free
+static bool arc_correct(equilibrium *e, double along, double *moved)
+{
+    double before = HUGE_VAL;
+    *moved = 0;
+    for (int k = 0; k < ARC_CORRECTIONS; k++) {
+        if (!newton_linearize(e)) {
+            return false;
+        }
+        newton_step(e);
+        memcpy(e->arc_step, e->step, (size_t)e->plan->nstation * sizeof *e->step);
+        memcpy(e->arc_tension, e->tension_step, (size_t)e->rod->ntendon * sizeof(double));
+        newton_slope(e);
+        const double change = -path_product(e, e->direction, e->arc_step) /
+                              (path_product(e, e->direction, e->slope) + along);
+        for (int i = 0; i < e->plan->nstation; i++) {
+            e->step[i] = vec6_add(e->arc_step[i], vec6_scale(change, e->slope[i]));
+        }
+        for (int i = 0; i < e->rod->ntendon; i++) {
+            e->tension_step[i] = e->arc_tension[i] + change * e->tension_slope[i];
+        }
+        const double size = newton_size(e, e->step);
+        if (!isfinite(size) || (k > 1 && size > before)) {
+            return false;
+        }
+        newton_advance(e, newton_longest_share(e), e->step, e->tension_step);
+        path_factor(e, e->factor + change);
+        *moved += size;
+        e->iterations++;
+        if (size * fmin(1, size / before) <= search_tolerance) {
+            return true;
+        }
+        before = size;
+    }
+    return false;
+}
+
+typedef struct arc_point {
+    double factor, along; // along: the tangent's component along the factor
+    int negative, determinant;
+    double log_determinant;
+} arc_point;
+
+// From the kept point by `step` along e->direction; false: shorter
+static bool arc_step(equilibrium *e, const arc_point *from, double step, double *moved)
+{
+    path_restore(e);
+    newton_advance(e, step, e->direction, e->tension_direction);
+    path_factor(e, from->factor + step * from->along);
+    return arc_correct(e, from->along, moved) && *moved <= fmax(0.3 * step, 1e-6);
+}
+
+// the tangent at e without turning e->direction
+static double arc_along(equilibrium *e, double last)
+{
+    newton_slope(e);
+    const double size = sqrt(path_product(e, e->slope, e->slope) + 1);
+    return (path_product(e, e->slope, e->direction) + last < 0 ? -1 : 1) / size;
+}
+
+// the limit point between the kept point and the one `step` further: where the tangent has no
+// component along the factor
+static bool arc_find_limit(equilibrium *e, const arc_point *from, double step, double along_end)
+{
+    double a = 0, b = step, fa = from->along, fb = along_end;
+    int side = 0;
+    for (int k = 0; k < SEARCH_STEPS && b - a > 1e-9 * step; k++) {
+        const double c = k % 4 == 3 ? (a + b) / 2 : (a * fb - b * fa) / (fb - fa);
+        double moved;
+        if (!arc_step(e, from, c, &moved) || !newton_linearize(e)) {
+            return k > 8;
+        }
+        const double fc = arc_along(e, from->along);
+        if (fabs(fc) < 1e-7) {
+            return true;
+        }
+        if ((fc > 0) == (from->along > 0)) {
+            a = c;
+            fa = fc;
+            fb = side == 1 ? fb / 2 : fb;
+            side = 1;
+        } else {
+            b = c;
+            fb = fc;
+            fa = side == -1 ? fa / 2 : fa;
+            side = -1;
+        }
+    }
+    return true;
+}
+
+static arc_point arc_point_here(const equilibrium *e, double along)
+{
+    return (arc_point){e->factor, along, e->negative, e->determinant, e->log_determinant};
+}
+
+// arrives at factor 1 between the kept point and the present one
+static int arc_arrive(equilibrium *e, path *way, const arc_point *from, double tolerance)
+{
+    const double share = (1 - from->factor) / (e->factor - from->factor);
+    for (int i = 0; i < e->plan->nstation; i++) {
+        const vec6 change = vec6_sub(e->xi[i], e->old[i]);
+        e->xi[i] = vec6_add(e->old[i], vec6_scale(share, change));
+    }
+    double moved;
+    path_factor(e, 1);
+    if (!newton_correct(e, tolerance, 2 * ARC_CORRECTIONS, &moved)) {
+        return PATH_LOST;
+    }
+    way->factor = 1;
+    way->negative = e->negative;
+    way->determinant = e->determinant;
+    return PATH_ARRIVED;
+}
+
+int path_turn(equilibrium *e, path *way, double tolerance)
+{
+    if (!newton_linearize(e)) {
+        return PATH_LOST;
+    }
+    arc_point from = arc_point_here(e, arc_tangent(e, true, 0));
+    double step = 0.1;
+    int straight = 0;
+    for (int k = 0; k < ARC_STEPS; k++) {
+        double moved;
+        path_keep(e);
+        if (!arc_step(e, &from, step, &moved)) {
+            step /= 3;
+            path_restore(e);
+            if (step < 1e-7) {
+                return PATH_LOST;
+            }
+            continue;
+        }
+        if (e->factor >= 1 && from.along > 0) {
+            return arc_arrive(e, way, &from, tolerance);
+        }
+        if (!newton_linearize(e)) {
+            return PATH_LOST;
+        }
+        const double along = arc_along(e, from.along);
+        if ((along > 0) != (from.along > 0)) {
+            const double end = e->factor;
+            memcpy(e->scratch, e->xi, (size_t)e->plan->nstation * sizeof *e->xi);
+            if (!arc_find_limit(e, &from, step, along)) {
+                return PATH_LOST;
+            }
+            path_record(way, CRITICAL_LIMIT, e->factor, e->conservative ? e->negative : -1);
+            if (!way->past) {
+                way->factor = e->factor;
+                return PATH_LIMIT;
+            }
+            // on from the point behind the limit
+            if (!arc_step(e, &from, step, &moved) || !newton_linearize(e)) {
+                return PATH_LOST;
+            }
+            (void)end;
+            straight = 0;
+        } else if (e->conservative ? e->negative != from.negative
+                                   : e->determinant != from.determinant) {
+            path_record(way, CRITICAL_BIFURCATION, (from.factor + e->factor) / 2,
+                        e->conservative ? e->negative : -1);
+        }
+        const double next = arc_tangent(e, false, from.along);
+        straight = next > 0 ? straight + 1 : 0;
+        from = arc_point_here(e, next);
+        step *= fmin(2, fmax(0.3, sqrt(0.05 * step / fmax(moved, 1e-9))));
+        step = fmin(step, 0.5);
+        if (!way->past && straight > 8 && next > 0.3) {
+            break;
+        }
+    }
+    way->factor = e->factor;
+    way->negative = e->negative;
+    way->determinant = e->determinant;
+    way->log_determinant = e->log_determinant;
+    return PATH_ARRIVED;
+}
