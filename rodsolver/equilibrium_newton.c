@@ -95,12 +95,17 @@ void newton_advance(equilibrium *e, double share, const vec6 *step, const double
     }
 }
 
-// what is left after a step of this size: the square where the tangent is exact, and this part of
-// it at least, by which the tangent of the collocation differs from the collocation's
+// what is left after a step: the square where the tangent is exact, and this part of it at least,
+// by which the tangent of the collocation differs from the collocation's ...
 static const double tangent_error = 1e-3;
+// ... and after the first step this times its square
+static const double first_square = 2;
 
 static double left_over(const equilibrium *e, double size, double before)
 {
+    if (before == HUGE_VAL) {
+        return e->friction ? HUGE_VAL : size * fmax(first_square * size, tangent_error);
+    }
     const double rate = size / before;
     if (e->friction) {
         return rate < 1 ? size * rate / (1 - rate) : HUGE_VAL;
