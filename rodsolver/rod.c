@@ -66,6 +66,10 @@ void rod_free(rod *r)
         plan_free(&r->plans[i], r);
     }
     plan_free(&r->half, r);
+    for (int i = 0; r->path && i < r->ntendon; i++) {
+        spline_free(&r->path[i]);
+    }
+    free(r->path);
     free(r->spec);
     free(r->point_loads);
     free(r->line_loads);

@@ -135,7 +135,8 @@ static void store_secular(const secular_station *s, size_t n, size_t i, double *
     }
 }
 
-static status fill_tendon(const tendon_spec *spec, const plan *p, plan_tendon *t)
+static status fill_tendon(const tendon_spec *spec, const spline *table, const plan *p,
+                          plan_tendon *t)
 {
     status st = OK;
     routing path = {0};
@@ -149,7 +150,7 @@ static status fill_tendon(const tendon_spec *spec, const plan *p, plan_tendon *t
     for (int i = 0; i < t->nstation; i++) {
         if (i % PAIR_STATIONS == 0) {
             const double *edge = &p->pair_edge[2 * (i / PAIR_STATIONS)];
-            routing_make(spec, edge[0], edge[1], &path);
+            routing_make(spec, table, edge[0], edge[1], &path);
         }
         t->place[i] = routing_at(&path, p->s[i]);
         if (p->frame) {
@@ -226,7 +227,7 @@ status plan_make(const struct rod *r, int npanel, plan *out)
     lay_stations(r, npanel, &p);
     TRY(fill_laws(r, &p));
     for (int i = 0; i < r->ntendon; i++) {
-        TRY(fill_tendon(&r->spec[i], &p, &p.tendon[i]));
+        TRY(fill_tendon(&r->spec[i], &r->path[i], &p, &p.tendon[i]));
     }
     TRY(plan_fill_loads(r, &p));
     p.uniform = is_uniform(r, &p);

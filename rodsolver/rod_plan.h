@@ -53,6 +53,7 @@ struct rod {
     int ntendon, npoint_load, nline_load; // gravity is a line load more where it is not zero
     bool has_gravity;
     tendon_spec *spec;       // [ntendon], with .end > 0
+    spline *path;            // [ntendon] of their tables, see tendon_table.h
     point_load *point_loads; // [npoint_load], with .s <= length
     line_load *line_loads;   // [nline_load], with .to > 0
     bool *acts;              // [rod_load_count] not zero everywhere
@@ -98,6 +99,10 @@ status plan_fill_loads(const struct rod *r, plan *p);
 
 // Tendons, loads and breaks of the spec, checked and copied.
 status rod_copy_spec(struct rod *r, const rod_spec *spec);
+
+// r->breaks: edges of the law's panels, ends of tendons and loads, kinks of whatever varies along
+// the rod, and what the spec says.
+status rod_find_breaks(struct rod *r, const rod_spec *spec);
 
 // Room for an answer on any of the rod's plans; no equilibrium.
 status state_take(const struct rod *r, rod_state *out);

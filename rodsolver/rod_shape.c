@@ -91,7 +91,7 @@ status rod_strain_at(const rod_state *state, double s, vec6 *xi)
             continue; // ends before
         }
         routing path;
-        routing_make(&r->spec[i], edge[0], edge[1], &path);
+        routing_make(&r->spec[i], &r->path[i], edge[0], edge[1], &path);
         q.place[q.ntendon] = routing_at(&path, clipped);
         q.tension[q.ntendon++] = state->tension[i];
     }

@@ -2,6 +2,7 @@
 // What rod_make keeps of a rod_spec.
 #include "base/memory.h"
 #include "rodsolver/rod_plan.h"
+#include "rodsolver/tendon_table.h"
 
 #include <math.h>
 #include <string.h>
@@ -28,6 +29,7 @@ static status copy_tendons(rod *r, const tendon_spec *tendons)
 {
     status st = OK;
     TRY(TAKE(r->spec, (size_t)r->ntendon));
+    TRY(TAKE(r->path, (size_t)r->ntendon));
     for (int i = 0; i < r->ntendon; i++) {
         tendon_spec *t = &r->spec[i];
         *t = tendons[i];
@@ -45,6 +47,7 @@ static status copy_tendons(rod *r, const tendon_spec *tendons)
                             "finite or below zero",
                             t->friction, t->EA, t->outside, name_or_mark(t->name)));
         }
+        TRY(tendon_table_fit(t, &r->path[i]));
     }
 
 done:
@@ -101,66 +104,6 @@ done:
     return st;
 }
 
-static int compare_reals(const void *a, const void *b)
-{
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
-static status add_own_breaks(const rod *r, const rod_spec *spec, size_t *n)
-{
-    for (int i = 0; i < spec->nbreak; i++) {
-        if (!(spec->breaks[i] >= 0 && spec->breaks[i] <= r->length * (1 + same_edge))) {
-            return status_fail(ERR_INPUT, "rod: a break at %g m, outside the rod of %g m",
-                               spec->breaks[i], r->length);
-        }
-        r->breaks[(*n)++] = spec->breaks[i];
-    }
-    return OK;
-}
-
-// sorted, each once, from 0 to the length
-static void merge_breaks(rod *r, size_t n)
-{
-    qsort(r->breaks, n, sizeof *r->breaks, compare_reals);
-    for (size_t i = 0; i < n; i++) {
-        if (r->nbreak == 0 || r->breaks[i] - r->breaks[r->nbreak - 1] > same_edge * r->length) {
-            r->breaks[r->nbreak++] = r->breaks[i];
-        }
-    }
-    r->breaks[0] = 0;
-    r->breaks[r->nbreak - 1] = r->length;
-}
-
-// edges of the law's panels, ends of tendons and kinks of their paths, loads, and what the spec
-// says
-static status find_breaks(rod *r, const rod_spec *spec)
-{
-    status st = OK;
-    const int nedge = r->law->npanel + 1;
-    const size_t most = (size_t)nedge + (size_t)r->ntendon * (1 + ROUTING_MAX_KINKS) +
-                        (size_t)r->npoint_load + 2 * (size_t)r->nline_load + (size_t)spec->nbreak;
-    TRY(TAKE(r->breaks, most));
-    memcpy(r->breaks, r->law->edge, (size_t)nedge * sizeof *r->breaks);
-    size_t n = (size_t)nedge;
-    for (int i = 0; i < r->ntendon; i++) {
-        r->breaks[n++] = r->spec[i].end;
-        n += (size_t)routing_kinks(&r->spec[i], r->breaks + n);
-    }
-    for (int i = 0; i < r->npoint_load; i++) {
-        r->breaks[n++] = r->point_loads[i].s;
-    }
-    for (int i = 0; i < r->nline_load; i++) {
-        r->breaks[n++] = r->line_loads[i].from;
-        r->breaks[n++] = r->line_loads[i].to;
-    }
-    TRY(add_own_breaks(r, spec, &n));
-    merge_breaks(r, n);
-
-done:
-    return st;
-}
-
 static status check_counts(const rod_spec *spec)
 {
     const int count[4] = {spec->ntendon, spec->npoint_load, spec->nline_load, spec->nbreak};
@@ -199,7 +142,7 @@ status rod_copy_spec(struct rod *r, const rod_spec *spec)
     TRY(copy_tendons(r, spec->tendons));
     TRY(copy_point_loads(r, spec->point_loads));
     TRY(copy_line_loads(r, spec->line_loads));
-    TRY(find_breaks(r, spec));
+    TRY(rod_find_breaks(r, spec));
 
 done:
     return st;

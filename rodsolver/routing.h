@@ -2,6 +2,7 @@
 // Where a tendon runs in the section, and how fast that changes along the rod.
 #pragma once
 
+#include "base/spline.h"
 #include "rodsolver/rod.h"
 
 // x, y [m] and dx, dy [-] (derivatives along s) of one tendon at one station.
@@ -11,20 +12,19 @@ typedef struct tendon_place {
 
 enum { ROUTING_NODES = 17 }; // far above the three stations a panel is integrated with
 
-// A tendon's place over [a, b] by interpolation of x(s), y(s), so that the slopes are those of the
-// interpolant.
+// A tendon's place over [a, b]: x(s), y(s) of its fields by interpolation, so that the slopes are
+// those of the interpolant, and its table's curve as it is.
 typedef struct routing {
     double a, b;
-    bool varies;
+    bool varies; // the fields do
     double x[ROUTING_NODES], y[ROUTING_NODES];
+    const spline *table; // NULL: none
 } routing;
 
-void routing_make(const tendon_spec *tendon, double a, double b, routing *out);
+// table: of tendon_table_fit; NULL or empty: none. It must outlive the routing.
+void routing_make(const tendon_spec *tendon, const spline *table, double a, double b, routing *out);
 tendon_place routing_at(const routing *r, double s);
 
-enum { ROUTING_MAX_KINKS = 16 };
-
-// Arclengths, ascending, where the tendon's direction or its curvature jumps between the base and
-// spec->end (> 0), at most ROUTING_MAX_KINKS: [ROUTING_MAX_KINKS] -> how many. Kinks nearer to each
-// other than 1/64 of the end, or weaker than the path's own bending over that, may be missed.
-int routing_kinks(const tendon_spec *spec, double *s);
+// Place by the fields alone, and whether that varies.
+void routing_place(const tendon_spec *tendon, double s, double *x, double *y);
+bool routing_varies(const tendon_spec *tendon);

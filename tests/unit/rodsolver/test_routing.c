@@ -14,7 +14,7 @@ static void straight_tendon_has_no_slope(void)
                            .x = field_constant(1e-3),
                            .y = field_constant(-2e-3)};
     routing path;
-    routing_make(&t, 0, 0.1, &path);
+    routing_make(&t, NULL, 0, 0.1, &path);
     const tendon_place p = routing_at(&path, 0.03);
     CHECK_NEAR(p.x, 1e-3 + 3e-3 * cos(0.5), 1e-15);
     CHECK_NEAR(p.y, -2e-3 + 3e-3 * sin(0.5), 1e-15);
@@ -28,7 +28,7 @@ static void helix_has_its_closed_form_slope(void)
     const tendon_spec t = {.radius = {.at = linear, .expression = &taper},
                            .angle = {.at = linear, .expression = &turn}};
     routing path;
-    routing_make(&t, 0.05, 0.1, &path);
+    routing_make(&t, NULL, 0.05, 0.1, &path);
     for (int i = 0; i <= 20; i++) {
         const double s = 0.05 + 0.05 * i / 20, r = taper * s, a = turn * s;
         const tendon_place p = routing_at(&path, s);
@@ -39,41 +39,27 @@ static void helix_has_its_closed_form_slope(void)
     }
 }
 
-static double zigzag(const void *expression, double s)
+static double square(const void *expression, double s)
 {
-    (void)expression;
-    return 20 * (fabs(s - 0.0401) - 0.1 * fabs(s - 0.05) + 2 * fmax(0, s - 0.09123)) + 30 * s;
+    return *(const double *)expression * s * s;
 }
 
-// its direction is continuous, its curvature is not
-static double bent(const void *expression, double s)
+// x and y as polynomials of s, on top of a polar place
+static void polynomial_has_its_exact_slope(void)
 {
-    (void)expression;
-    return 20 * s + 700 * (s - 0.0437) * fabs(s - 0.0437);
-}
-
-static double smooth(const void *expression, double s)
-{
-    return *(const double *)expression * s + 0.3 * sin(90 * s);
-}
-
-static void kinks_are_found_and_bends_are_none(void)
-{
-    double at[ROUTING_MAX_KINKS];
-    tendon_spec t = {.radius = field_constant(3.6e-3), .end = 0.1};
-    CHECK(routing_kinks(&t, at) == 0);
-    t.angle = (field){.at = zigzag};
-    CHECK(routing_kinks(&t, at) == 3);
-    CHECK_WITHIN(at[0], 0.0401, 1e-12);
-    CHECK_WITHIN(at[1], 0.05, 1e-12); // on a sample
-    CHECK_WITHIN(at[2], 0.09123, 1e-12);
-    t.angle = (field){.at = bent};
-    CHECK(routing_kinks(&t, at) == 1);
-    CHECK_WITHIN(at[0], 0.0437, 1e-8);
-    const double rate[4] = {0, 20, -60, 300};
-    for (int i = 0; i < 4; i++) {
-        t.angle = (field){.at = smooth, .expression = &rate[i]};
-        CHECK(routing_kinks(&t, at) == 0);
+    const double slope = 0.05, bend = -0.4;
+    const tendon_spec t = {.radius = field_constant(1e-3),
+                           .x = {.at = linear, .expression = &slope},
+                           .y = {.at = square, .expression = &bend}};
+    routing path;
+    routing_make(&t, NULL, 0.02, 0.05, &path);
+    for (int i = 0; i <= 10; i++) {
+        const double s = 0.02 + 0.003 * i;
+        const tendon_place p = routing_at(&path, s);
+        CHECK_NEAR(p.x, 1e-3 + slope * s, 1e-14);
+        CHECK_NEAR(p.y, bend * s * s, 1e-14);
+        CHECK_NEAR(p.dx, slope, 1e-12);
+        CHECK_NEAR(p.dy, 2 * bend * s, 1e-12);
     }
 }
 
@@ -81,6 +67,6 @@ int main(void)
 {
     straight_tendon_has_no_slope();
     helix_has_its_closed_form_slope();
-    kinks_are_found_and_bends_are_none();
+    polynomial_has_its_exact_slope();
     return test_failures != 0;
 }
