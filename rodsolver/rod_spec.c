@@ -116,6 +116,11 @@ static status check_counts(const rod_spec *spec)
     if (!finite_all(spec->gravity, 3)) {
         return status_fail(ERR_INPUT, "rod: gravity is not finite");
     }
+    const double *g = spec->gravity;
+    if ((g[0] != 0 || g[1] != 0 || g[2] != 0) && !law_along_has_mass(spec->law)) {
+        return status_fail(ERR_INPUT, "rod: gravity acts on masses, and they are not known: give "
+                                      "every material of the section a density");
+    }
     if (spec->ntendon > ROD_MAX_TENDONS) {
         return status_fail(ERR_INPUT, "rod: %d tendons, at most %d are possible", spec->ntendon,
                            ROD_MAX_TENDONS);
