@@ -23,18 +23,6 @@ static void demand_of(const rod_state *state, const rod_request *q, demand *d)
     d->to_base = mat3_transpose(mat3_mul(state->base.R, r->base.R));
 }
 
-static void demand_nothing(const rod *r, const demand *like, demand *d)
-{
-    for (int i = 0; i < r->ntendon; i++) {
-        d->pull[i] = d->tension[i] = 0;
-    }
-    for (int i = 0; i < rod_load_count(r); i++) {
-        d->load[i] = 0;
-    }
-    d->tip_space = d->tip_body = (vec6){{0}};
-    d->to_base = like->to_base;
-}
-
 static bool is_zero(const double *a, int n)
 {
     for (int i = 0; i < n; i++) {
@@ -105,7 +93,7 @@ static vec6 rest_at(const plan *p, int station)
 }
 
 // everything that belongs to a plan, but the strains
-static void use_plan(equilibrium *e, const plan *p)
+void equilibrium_use_plan(equilibrium *e, const plan *p)
 {
     e->plan = p;
     for (int i = 0; i < p->nstation; i++) {
@@ -146,10 +134,10 @@ static void transfer(equilibrium *e, const plan *to)
         e->scratch[i] = strain;
     }
     memcpy(e->xi, e->scratch, (size_t)to->nstation * sizeof *e->xi);
-    use_plan(e, to);
+    equilibrium_use_plan(e, to);
 }
 
-static void start_at_rest(equilibrium *e, const plan *p)
+void equilibrium_start_at_rest(equilibrium *e, const plan *p)
 {
     for (int i = 0; i < p->nstation; i++) {
         e->xi[i] = rest_at(p, i);
@@ -159,7 +147,7 @@ static void start_at_rest(equilibrium *e, const plan *p)
         e->slack[i] = e->pulled[i];
     }
     e->factor = 0;
-    use_plan(e, p);
+    equilibrium_use_plan(e, p);
 }
 
 // --- the answer
@@ -247,7 +235,7 @@ static double compare_coarser(equilibrium *e, const plan *coarse)
     const vec3 other = tip_of(e);
     memcpy(e->xi, e->old, (size_t)fine->nstation * sizeof *e->xi);
     memcpy(e->tension, e->tension_old, (size_t)e->rod->ntendon * sizeof *e->tension);
-    use_plan(e, fine);
+    equilibrium_use_plan(e, fine);
     e->negative = negative;
     e->determinant = determinant;
     return found ? estimate(e, other, coarse->npair, tip, fine->npair) : HUGE_VAL;
@@ -318,7 +306,7 @@ static status solve_cold(equilibrium *e, path *way, double *error, int *outcome)
     int level = first_level(r);
     for (int k = 0; k < ATTEMPTS; k++) {
         *way = (path){.past = way->past};
-        start_at_rest(e, &r->plans[level]);
+        equilibrium_start_at_rest(e, &r->plans[level]);
         *outcome = path_follow(e, way, newton_tolerance(e, !fixed));
         if (*outcome == PATH_ARRIVED) {
             const int refined = fixed ? ROUGH_LEFT : refine(e, error);
@@ -370,7 +358,7 @@ static void load_answer(equilibrium *e, const rod_state *state)
         e->xi[i] = station_gather(state->xi, p->nstation, i);
     }
     e->factor = 0;
-    use_plan(e, p);
+    equilibrium_use_plan(e, p);
     balance_lengths(e, e->length);
     for (int i = 0; i < e->rod->ntendon; i++) {
         const tendon_spec *t = &e->rod->spec[i];
@@ -405,15 +393,39 @@ static void store_answer(equilibrium *e, rod_state *state)
     state->by_load = true;
 }
 
+const double *equilibrium_decay(const equilibrium *e, int tendon)
+{
+    return e->friction ? e->decay + (size_t)tendon * (size_t)e->room : NULL;
+}
+
 void equilibrium_remember(rod_state *state)
 {
     equilibrium *e = state->loaded;
+    memset(e->pulled, 0, (size_t)e->rod->ntendon * sizeof *e->pulled);
     e->to.to_base = mat3_transpose(mat3_mul(state->base.R, e->rod->base.R));
     demand_nothing(e->rod, &e->to, &e->to);
     for (int i = 0; i < e->rod->ntendon; i++) {
         e->to.tension[i] = e->tension[i] = state->tension[i];
         e->to.pull[i] = NAN;
     }
+}
+
+status equilibrium_resume(rod_state *state)
+{
+    equilibrium *e = state->loaded;
+    if (!state->solved) {
+        return status_fail(ERR_BUG, "rod: derivatives are asked for before a solution");
+    }
+    demand_copy(e->rod, &e->to, &e->from);
+    memcpy(e->tension, state->tension, (size_t)e->rod->ntendon * sizeof *e->tension);
+    classify(e);
+    // also those whose factor is 0: by it may be derived
+    e->lines = e->rod->nline_load + e->rod->has_gravity > 0;
+    load_answer(e, state);
+    if (!newton_linearize(e)) {
+        return status_fail(ERR_NUMERIC, "rod: the answer is a critical point");
+    }
+    return OK;
 }
 
 static vec6 largest_strain(const equilibrium *e)
@@ -488,6 +500,11 @@ status equilibrium_solve(rod_state *state, const rod_request *request, rod_solut
         balance_poses(e);
         store_answer(e, state);
         tell(e, state, &way, error, out);
+    }
+    if (st == OK && request->stability) {
+        out->eigenvalue = energy_eigenvalue(e);
+        out->work = energy_work(e);
+        memcpy(e->tension, state->tension, (size_t)e->rod->ntendon * sizeof *e->tension);
     }
     return st;
 }

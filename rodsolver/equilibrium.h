@@ -58,9 +58,10 @@ struct equilibrium {
     bool *pulled;    // [ntendon] by `to`
     bool *slack;     // [ntendon] among those
 
-    vec6 *xi;        // [nstation]
-    double *tension; // [ntendon] at the base
-    double *decay;   // [ntendon][nstation] tension there over the one at the base
+    vec6 *xi;             // [nstation]
+    double *tension;      // [ntendon] at the base
+    double *decay;        // [ntendon][room] tension there over the one at the base
+    double *decay_change; // [ntendon][room]
     bool friction;
 
     load_sum *line, *line_from, *line_to; // [nstation] at `factor`, and at both ends of the way
@@ -71,17 +72,18 @@ struct equilibrium {
     station_state *state;                        // [nstation]
     station_tangent *tangent;                    // [nstation]
     panel_factor *panel;                         // [npanel]
+    double shift;           // the tangent counts K by 1 + shift, for eigenvalues
     int negative;           // negative directions of the second variation at the last factorization
     int determinant;        // sign of the tangent's determinant there ...
     double log_determinant; // ... and the logarithm of its size
 
     // a linear answer: rotations and strains, base frame
-    vec3 *phi;                          // [npanel + 1] at the nodes
-    vec3 *omega;                        // [nstation]
-    vec3 *nu;                           // [nstation]
-    vec3 *rv, *rw;                      // [nstation] right-hand sides
-    vec3 *beyond;                       // [npanel] forces that turn beyond a panel
-    vec3 *kept_v, *kept_w;              // [nstation]
+    vec3 *phi;                             // [npanel + 1] at the nodes
+    vec3 *omega;                           // [nstation]
+    vec3 *nu;                              // [nstation]
+    vec3 *rv, *rw;                         // [nstation] right-hand sides
+    vec3 *beyond;                          // [npanel] forces that turn beyond a panel
+    vec3 *kept_v, *kept_w, *arc_v, *arc_w; // [nstation] right-hand sides kept
     vec6 *step, *slope, *old, *scratch; // [nstation] body strains: Newton's step, d xi / d factor,
                                         // the last point of the way
     vec6 *direction, *arc_step;         // [nstation] of an arclength step
@@ -100,12 +102,25 @@ void equilibrium_free(equilibrium *e);
 // After an answer to tensions alone: where a warm solve starts.
 void equilibrium_remember(rod_state *state);
 
+// The state's last answer linearised, for derivatives: ERR_BUG before an answer, ERR_NUMERIC at a
+// critical point.
+status equilibrium_resume(rod_state *state);
+// Another plan; e->xi must be strains at its stations.
+void equilibrium_use_plan(equilibrium *e, const plan *p);
+void equilibrium_start_at_rest(equilibrium *e, const plan *p);
+
 // rod_solve where more acts than tensions.
 status equilibrium_solve(rod_state *state, const rod_request *request, rod_solution *out);
+
+// Tension at the stations of the answer's plan over the one at the base; NULL without friction.
+const double *equilibrium_decay(const equilibrium *e, int tendon);
 
 // --- equilibrium_loads.c
 
 void demand_copy(const rod *r, const demand *from, demand *to);
+void demand_nothing(const rod *r, const demand *like, demand *d);
+// Sums of one demand's loads, into e->line_difference and e->node_difference.
+void loads_of(equilibrium *e, const demand *d);
 // Sums of the loads at both ends of the way, on e->plan.
 void loads_prepare(equilibrium *e);
 // ... and at e->factor.
@@ -134,6 +149,8 @@ void balance_lengths(equilibrium *e, double *length);
 vec6 balance_tendon(const equilibrium *e, int tendon, int station);
 // Tension along tendons with friction: e->decay from the present shape.
 void balance_friction(equilibrium *e);
+// pull_solve with tensions that follow the answer by friction.
+void friction_solve(equilibrium *e, double *change, vec6 *strain);
 
 // --- equilibrium_sweep.c
 
@@ -183,8 +200,19 @@ void newton_advance(equilibrium *e, double share, const vec6 *step, const double
 double newton_longest_share(const equilibrium *e);
 // e->slope, e->tension_slope: d xi, d tension / d factor, with the present factorization.
 void newton_slope(equilibrium *e);
+// e->rv, e->rw: the misfits of the loads in e->line_difference and e->node_difference.
+void newton_sum_misfits(equilibrium *e);
 // e->rv, e->rw: the misfits' derivative by the factor at the present shape.
 void newton_load_misfits(equilibrium *e);
+
+// --- equilibrium_energy.c
+
+// The smallest eigenvalue of the second variation over the elastic energy's at the present
+// equilibrium; NAN where it has no potential or cannot be found.
+double energy_eigenvalue(equilibrium *e);
+// What dead loads and tendons do on the way from rest to e->to, by integrals over equilibria on the
+// way on e->plan [J]; NAN where there is no potential or no such way. Changes e->xi.
+double energy_work(equilibrium *e);
 
 // --- equilibrium_path.c, equilibrium_critical.c
 

@@ -108,14 +108,14 @@ typedef struct blocks {
     mat3 vv, vw, ww;
 } blocks;
 
-static blocks split(const mat6 *K)
+static blocks split(const mat6 *K, double factor)
 {
     blocks b;
     for (int i = 0; i < 3; i++) {
         for (int j = 0; j < 3; j++) {
-            b.vv.a[i][j] = K->a[i][j];
-            b.vw.a[i][j] = K->a[i][j + 3];
-            b.ww.a[i][j] = K->a[i + 3][j + 3];
+            b.vv.a[i][j] = factor * K->a[i][j];
+            b.vw.a[i][j] = factor * K->a[i][j + 3];
+            b.ww.a[i][j] = factor * K->a[i + 3][j + 3];
         }
     }
     return b;
@@ -278,7 +278,7 @@ bool balance_stations(equilibrium *e, bool tangents)
         blocks b;
         vec6 force;
         if (tangents) {
-            b = split(&e->plan->K[i]);
+            b = split(&e->plan->K[i], 1 + e->shift);
         }
         if (!station_force(e, i, &force, tangents ? &b : NULL)) {
             return false;

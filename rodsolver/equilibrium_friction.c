@@ -5,6 +5,14 @@
 #include "rodsolver/equilibrium.h"
 
 #include <math.h>
+#include <string.h>
+
+enum { FOLLOWS = 60 };
+
+// turn of the rod by which the tensions' derivatives are differenced
+static const double probe = 1e-5;
+// part of a derivative that is left out
+static const double followed = 1e-10;
 
 // the derivative of the polynomial through a pair's six stations, at them, per panel length
 static void pair_slopes(double D[PAIR_STATIONS][PAIR_STATIONS])
@@ -83,5 +91,61 @@ void balance_friction(equilibrium *e)
     pair_slopes(D);
     for (int i = 0; i < e->rod->ntendon; i++) {
         follow_tendon(e, i, (const double(*)[PAIR_STATIONS])D);
+    }
+}
+
+// --- derivatives
+
+// adds what tensions along the paths change by when the strains change by e->step
+static void add_friction(equilibrium *e, double *changed)
+{
+    const size_t n = (size_t)e->rod->ntendon * (size_t)e->room;
+    const double step = probe / fmax(newton_size(e, e->step), 1e-300);
+    memcpy(e->scratch, e->xi, (size_t)e->plan->nstation * sizeof *e->xi);
+    for (int side = 1; side >= -1; side -= 2) {
+        for (int i = 0; i < e->plan->nstation; i++) {
+            e->xi[i] = vec6_add(e->scratch[i], vec6_scale(side * step, e->step[i]));
+        }
+        balance_friction(e);
+        for (size_t i = 0; i < n; i++) {
+            changed[i] = side > 0 ? e->decay[i] : (changed[i] - e->decay[i]) / (2 * step);
+        }
+    }
+    memcpy(e->xi, e->scratch, (size_t)e->plan->nstation * sizeof *e->xi);
+    balance_friction(e);
+    for (int j = 0; j < e->rod->ntendon; j++) {
+        for (int i = 0; e->tension[j] > 0 && i < e->plan->tendon[j].nstation; i++) {
+            const double tau = e->tension[j] * changed[(size_t)j * (size_t)e->room + (size_t)i];
+            const vec6 f = vec6_scale(tau, balance_tendon(e, j, i));
+            const mat3 *R = &e->state[i].R;
+            e->rv[i] = vec3_add(e->rv[i], mat3_mul_vec(*R, (vec3){{f.a[0], f.a[1], f.a[2]}}));
+            e->rw[i] = vec3_add(e->rw[i], mat3_mul_vec(*R, (vec3){{f.a[3], f.a[4], f.a[5]}}));
+        }
+    }
+}
+
+void friction_solve(equilibrium *e, double *change, vec6 *strain)
+{
+    const size_t n = (size_t)e->plan->nstation, ntendon = (size_t)e->rod->ntendon;
+    memcpy(e->arc_v, e->rv, n * sizeof *e->rv);
+    memcpy(e->arc_w, e->rw, n * sizeof *e->rw);
+    memcpy(e->arc_tension, change, ntendon * sizeof *change);
+    pull_solve(e, change, e->step);
+    for (int k = 0; k < FOLLOWS; k++) {
+        memcpy(e->arc_step, e->step, n * sizeof *e->step);
+        memcpy(e->rv, e->arc_v, n * sizeof *e->rv);
+        memcpy(e->rw, e->arc_w, n * sizeof *e->rw);
+        memcpy(change, e->arc_tension, ntendon * sizeof *change);
+        add_friction(e, e->decay_change);
+        pull_solve(e, change, e->step);
+        for (size_t i = 0; i < n; i++) {
+            e->arc_step[i] = vec6_sub(e->step[i], e->arc_step[i]);
+        }
+        if (newton_size(e, e->arc_step) <= followed * newton_size(e, e->step)) {
+            break;
+        }
+    }
+    if (strain != e->step) {
+        memcpy(strain, e->step, n * sizeof *strain);
     }
 }

@@ -97,6 +97,18 @@ static void add_lines(const equilibrium *e, const demand *d, load_sum *line)
     }
 }
 
+void demand_nothing(const rod *r, const demand *like, demand *d)
+{
+    for (int i = 0; i < r->ntendon; i++) {
+        d->pull[i] = d->tension[i] = 0;
+    }
+    for (int i = 0; i < rod_load_count(r); i++) {
+        d->load[i] = 0;
+    }
+    d->tip_space = d->tip_body = (vec6){{0}};
+    d->to_base = like->to_base;
+}
+
 void demand_copy(const rod *r, const demand *from, demand *to)
 {
     memcpy(to->tension, from->tension, (size_t)r->ntendon * sizeof *to->tension);
@@ -137,6 +149,14 @@ static void blend(int n, double factor, const load_sum *from, const load_sum *to
     double *c = (double *)out;
     for (int i = 0; i < n * LOAD_NUMBERS; i++) {
         c[i] = (1 - factor) * a[i] + factor * b[i];
+    }
+}
+
+void loads_of(equilibrium *e, const demand *d)
+{
+    add_points(e, d, e->node_difference);
+    if (e->lines) {
+        add_lines(e, d, e->line_difference);
     }
 }
 

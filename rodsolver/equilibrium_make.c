@@ -37,6 +37,8 @@ static status take_stations(equilibrium *e, size_t n)
     TRY(TAKE(e->rw, n));
     TRY(TAKE(e->kept_v, n));
     TRY(TAKE(e->kept_w, n));
+    TRY(TAKE(e->arc_v, n));
+    TRY(TAKE(e->arc_w, n));
     TRY(TAKE(e->step, n));
     TRY(TAKE(e->slope, n));
     TRY(TAKE(e->old, n));
@@ -44,6 +46,7 @@ static status take_stations(equilibrium *e, size_t n)
     TRY(TAKE(e->direction, n));
     TRY(TAKE(e->arc_step, n));
     TRY(TAKE(e->decay, n * (size_t)e->rod->ntendon));
+    TRY(TAKE(e->decay_change, n * (size_t)e->rod->ntendon));
 
 done:
     return st;
@@ -128,6 +131,8 @@ void equilibrium_free(equilibrium *e)
                      e->rw,
                      e->kept_v,
                      e->kept_w,
+                     e->arc_v,
+                     e->arc_w,
                      e->step,
                      e->slope,
                      e->old,
@@ -135,6 +140,7 @@ void equilibrium_free(equilibrium *e)
                      e->direction,
                      e->arc_step,
                      e->decay,
+                     e->decay_change,
                      e->node,
                      e->node_from,
                      e->node_to,

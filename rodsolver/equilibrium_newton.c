@@ -151,7 +151,7 @@ bool newton_correct(equilibrium *e, double tolerance, int most, double *moved)
 
 // --- along the way
 
-void newton_load_misfits(equilibrium *e)
+void newton_sum_misfits(equilibrium *e)
 {
     // the wrenches are linear in the sums: those of the difference alone, at this shape
     for (int i = 0; i < e->plan->nstation; i++) {
@@ -167,6 +167,11 @@ void newton_load_misfits(equilibrium *e)
         e->rv[i] = vec3_scale(-1, N);
         e->rw[i] = vec3_scale(-1, M);
     }
+}
+
+void newton_load_misfits(equilibrium *e)
+{
+    newton_sum_misfits(e);
     for (int i = 0; i < e->rod->ntendon; i++) {
         const double change = e->to.tension[i] - e->from.tension[i];
         if (!e->pulled[i] && change != 0) {

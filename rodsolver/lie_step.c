@@ -47,3 +47,23 @@ void lie_pair_weights(double t, double *weight)
         }
     }
 }
+
+pose lie_pair_pose(double h, const vec6 xi[2 * GAUSS_STATIONS], double t)
+{
+    pose g = pose_identity();
+    const double part[3] = {0, t < 1 ? t : 1, t};
+    for (int k = 0; k < (t > 1 ? 2 : 1); k++) {
+        const double from = part[k], to = part[k + 1];
+        vec6 inside[GAUSS_STATIONS];
+        for (int i = 0; i < GAUSS_STATIONS; i++) {
+            double weight[2 * GAUSS_STATIONS];
+            lie_pair_weights(from + (to - from) * gauss_point[i], weight);
+            inside[i] = (vec6){{0}};
+            for (int j = 0; j < 2 * GAUSS_STATIONS; j++) {
+                inside[i] = vec6_add(inside[i], vec6_scale(weight[j], xi[j]));
+            }
+        }
+        g = pose_mul(g, se3_exp(lie_step_twist((to - from) * h, inside)));
+    }
+    return g;
+}

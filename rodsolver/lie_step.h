@@ -17,3 +17,7 @@ vec6 lie_step_twist(double h, const vec6 xi[GAUSS_STATIONS]);
 // Cardinal polynomials of the six Gauss stations of two equal panels, at t in [0, 2] panel lengths:
 // weight[6].
 void lie_pair_weights(double t, double *weight);
+
+// The motion over the first t in [0, 2] panel lengths of a pair of panels of length h each, by the
+// polynomial through the strains at its six stations.
+pose lie_pair_pose(double h, const vec6 xi[2 * GAUSS_STATIONS], double t);

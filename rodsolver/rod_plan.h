@@ -117,6 +117,9 @@ status plans_choose(struct rod *r);
 // The strain at a station of xi [6][n] or the like.
 vec6 station_gather(const double *rows, int n, int i);
 
+// The pose of the geometric centre in the world at arclength s of the last answer.
+pose rod_pose_at(const rod_state *state, double s);
+
 // T as a pose: the stiffness-centre frame seen from the geometric one.
 pose centre_frame_pose(const centre_frame *f);
 

@@ -1,5 +1,5 @@
 // rodsolver/rod_shape.c
-#include "rodsolver/rod_plan.h"
+#include "rodsolver/equilibrium.h"
 
 #include <math.h>
 
@@ -17,40 +17,18 @@ static int pair_of(const plan *p, double s)
     return low;
 }
 
-// from the left end of the pair to t panel lengths further inside one panel: strains at the step's
-// own Gauss points by the polynomial through the pair's six stations
-static pose advance(const rod_state *state, const plan *p, int pair, double from, double to)
-{
-    const double h = (p->pair_edge[2 * pair + 1] - p->pair_edge[2 * pair]) / 2;
-    vec6 xi[GAUSS_STATIONS];
-    for (int i = 0; i < GAUSS_STATIONS; i++) {
-        double weight[PAIR_STATIONS];
-        lie_pair_weights(from + (to - from) * gauss_point[i], weight);
-        for (int c = 0; c < 6; c++) {
-            const double *row =
-                state->xi + (size_t)c * (size_t)p->nstation + (size_t)(PAIR_STATIONS * pair);
-            xi[i].a[c] = 0;
-            for (int j = 0; j < PAIR_STATIONS; j++) {
-                xi[i].a[c] += weight[j] * row[j];
-            }
-        }
-    }
-    return se3_exp(lie_step_twist((to - from) * h, xi));
-}
-
-static pose solved_pose_at(const rod_state *state, double s)
+pose rod_pose_at(const rod_state *state, double s)
 {
     const rod *r = state->rod;
     const plan *p = state->solved;
     const int pair = pair_of(p, s);
     const double *edge = &p->pair_edge[2 * pair];
     const double t = 2 * (s - edge[0]) / (edge[1] - edge[0]);
-    pose g = state->pair_pose[pair];
-    if (t > 1) {
-        g = pose_mul(pose_mul(g, advance(state, p, pair, 0, 1)), advance(state, p, pair, 1, t));
-    } else {
-        g = pose_mul(g, advance(state, p, pair, 0, t));
+    vec6 xi[PAIR_STATIONS];
+    for (int i = 0; i < PAIR_STATIONS; i++) {
+        xi[i] = station_gather(state->xi, p->nstation, PAIR_STATIONS * pair + i);
     }
+    pose g = pose_mul(state->pair_pose[pair], lie_pair_pose((edge[1] - edge[0]) / 2, xi, t));
     if (p->frame) {
         centre_frame f;
         law_along_centre_frame(r->law, s, p->frame[PAIR_STATIONS * pair + (t > 1 ? 4 : 1)].phi, &f);
@@ -68,9 +46,31 @@ status rod_shape(const rod_state *state, int npoint, double *s, pose *out)
     const double length = state->rod->length;
     for (int i = 0; i < npoint; i++) {
         s[i] = i == npoint - 1 ? length : length * i / (npoint - 1);
-        out[i] = solved_pose_at(state, s[i]);
+        out[i] = rod_pose_at(state, s[i]);
     }
     return OK;
+}
+
+// the strain over the reference by the polynomial through the pair's stations, at the geometric
+// centre
+static vec6 strain_between(const rod_state *state, double s)
+{
+    const plan *p = state->solved;
+    const int pair = pair_of(p, s);
+    const double *edge = &p->pair_edge[2 * pair];
+    double weight[PAIR_STATIONS];
+    lie_pair_weights(2 * (s - edge[0]) / (edge[1] - edge[0]), weight);
+    vec6 sum = {{0}};
+    for (int j = 0; j < PAIR_STATIONS; j++) {
+        const int i = PAIR_STATIONS * pair + j;
+        vec6 e = vec6_sub(station_gather(state->xi, p->nstation, i),
+                          station_gather(p->rest, p->nstation, i));
+        if (p->frame) {
+            e = mat6_mul_vec(se3_adjoint(centre_frame_pose(&p->frame[i])), e);
+        }
+        sum = vec6_add(sum, vec6_scale(weight[j], e));
+    }
+    return sum;
 }
 
 status rod_strain_at(const rod_state *state, double s, vec6 *xi)
@@ -85,6 +85,10 @@ status rod_strain_at(const rod_state *state, double s, vec6 *xi)
     mat6 K;
     local_problem q = {.K = &K};
     station_law(r, clipped, NULL, &K, &q.rest);
+    if (state->by_load) {
+        *xi = vec6_add(q.rest, strain_between(state, clipped));
+        return OK;
+    }
     for (int j = 0; j < state->nactive; j++) {
         const int i = state->active[j];
         if (state->solved->tendon[i].nstation <= PAIR_STATIONS * pair) {
@@ -104,6 +108,24 @@ status rod_strain_at(const rod_state *state, double s, vec6 *xi)
     return OK;
 }
 
+// less than at the base by friction
+static double tension_at(const rod_state *state, int tendon, double s)
+{
+    const plan *p = state->solved;
+    const double *decay = state->by_load ? equilibrium_decay(state->loaded, tendon) : NULL;
+    if (!decay) {
+        return state->tension[tendon];
+    }
+    const int pair = pair_of(p, s);
+    const double *edge = &p->pair_edge[2 * pair];
+    double weight[PAIR_STATIONS], sum = 0;
+    lie_pair_weights(2 * (s - edge[0]) / (edge[1] - edge[0]), weight);
+    for (int j = 0; j < PAIR_STATIONS; j++) {
+        sum += weight[j] * decay[PAIR_STATIONS * pair + j];
+    }
+    return state->tension[tendon] * sum;
+}
+
 status rod_wrench_at(const rod_state *state, double s, vec6 *wrench, double *tension)
 {
     status st = OK;
@@ -115,7 +137,7 @@ status rod_wrench_at(const rod_state *state, double s, vec6 *wrench, double *ten
     station_law(r, clipped, NULL, &K, &rest);
     *wrench = mat6_mul_vec(K, vec6_sub(xi, rest));
     for (int i = 0; tension && i < r->ntendon; i++) {
-        tension[i] = clipped <= r->spec[i].end ? state->tension[i] : 0;
+        tension[i] = clipped <= r->spec[i].end ? tension_at(state, i, clipped) : 0;
     }
 
 done:
