@@ -32,7 +32,11 @@ static void free_rods(rod_result *rod)
     free(rod->run);
     free(rod->tendon_name);
     free(rod->tendon_base);
+    free(rod->tendon_end);
+    free(rod->tendon_path);
     free(rod->load_name);
+    free(rod->load_sketch);
+    free(rod->rest);
 }
 
 static status take_run(const rod_result *rod, struct rod_run *run)
@@ -60,7 +64,11 @@ status rod_result_make(const rod_result *sizes, rod_result *out)
                     .has_rates = sizes->has_rates};
     TRY(TAKE(r.tendon_name, (size_t)r.ntendon));
     TRY(TAKE(r.tendon_base, (size_t)r.ntendon));
+    TRY(TAKE(r.tendon_end, (size_t)r.ntendon));
+    TRY(TAKE(r.tendon_path, (size_t)r.ntendon * (size_t)r.npoint));
     TRY(TAKE(r.load_name, (size_t)r.nload));
+    TRY(TAKE(r.load_sketch, (size_t)r.nload));
+    TRY(TAKE(r.rest, (size_t)r.npoint));
     TRY(TAKE(r.run, (size_t)sizes->nsolution));
     r.nsolution = sizes->nsolution;
     for (int i = 0; i < r.nsolution; i++) {

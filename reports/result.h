@@ -41,12 +41,29 @@ typedef struct rod_rates {
     mat6 space, body;     // by wrenches on the tip, fixed in space or turning with it
 } rod_rates;
 
+// What a load does at factor 1 and where, for pictures.
+enum { LOAD_PLACES = 13 };
+typedef enum load_kind { LOAD_AT_POINT, LOAD_ALONG_LINE, LOAD_GRAVITY } load_kind;
+typedef struct rod_load_sketch {
+    int kind, frame;                              // load_kind, load_frame
+    double from, to;                              // arclengths [m]; the same of a point
+    vec3 force[LOAD_PLACES], moment[LOAD_PLACES]; // at equal steps from one to the other [N/m, N];
+                                                  // a point's [N, N m] are all the same
+    double place[LOAD_PLACES][2];                 // x, y in the section where the force acts [m]
+    vec3 acceleration;                            // of gravity [m/s^2], which has no force here
+} rod_load_sketch;
+
 typedef struct rod_result {
     int ntendon, npoint;
     int nload;                        // point loads, line loads, then gravity where there is any
     char (*tendon_name)[RESULT_NAME]; // [ntendon]
     double (*tendon_base)[2];         // [ntendon] where each starts: x, y at s = 0 [m]
+    double *tendon_end;               // [ntendon] arclength where each is anchored [m]
+    double (*tendon_path)[2];         // [ntendon][npoint] x, y in the section [m]; past the end: as
+                                      // there
     char (*load_name)[RESULT_NAME];   // [nload]
+    rod_load_sketch *load_sketch;     // [nload]
+    pose *rest;                       // [npoint] the shape without tension or load, in the world
     bool has_rates;
     int nsolution;
     struct rod_run {

@@ -131,6 +131,48 @@ done:
     return st;
 }
 
+// a load's own members are arrays of LOAD_PLACES
+static status pass_sketches(const passage *p, rod_result *rod)
+{
+#define SKETCH(member) offsetof(rod_load_sketch, member)
+    static const column columns[] = {
+        {"kind", COLUMN_INT, "-", SKETCH(kind), 0, {0}, LOAD_GRAVITY},
+        {"frame", COLUMN_INT, "-", SKETCH(frame), 0, {0}, LOAD_BODY},
+        {"from_m", COLUMN_REAL, "m", SKETCH(from), 0, {0}, 0},
+        {"to_m", COLUMN_REAL, "m", SKETCH(to), 0, {0}, 0},
+        {"force", COLUMN_REAL, "N, N/m", SKETCH(force), 2, {LOAD_PLACES, 3}, 0},
+        {"moment", COLUMN_REAL, "N m, N", SKETCH(moment), 2, {LOAD_PLACES, 3}, 0},
+        {"place_m", COLUMN_REAL, "m", SKETCH(place), 2, {LOAD_PLACES, 2}, 0},
+        {"acceleration_m_per_s2", COLUMN_REAL, "m/s^2", SKETCH(acceleration), 1, {3}, 0},
+    };
+#undef SKETCH
+    return passage_columns(p, "rod/load", COUNT_OF(columns), columns,
+                           rows_of(rod->load_sketch, rod->nload, sizeof *rod->load_sketch));
+}
+
+// what pictures need beside the solutions
+static status pass_surroundings(const passage *p, rod_result *rod)
+{
+    static const column end = {"end_m", COLUMN_REAL, "m", 0, 0, {0}, 0};
+    static const column poses[] = {
+        {"p_m", COLUMN_REAL, "m", offsetof(pose, p), 1, {3}, 0},
+        {"R", COLUMN_REAL, "-", offsetof(pose, R), 2, {3, 3}, 0},
+    };
+    const size_t n = (size_t)rod->npoint;
+    const column path = {"path_m", COLUMN_REAL, "m", 0, 2, {n, 2}, 0};
+    status st = OK;
+    TRY(passage_columns(p, "rod/tendon", 1, &end,
+                        rows_of(rod->tendon_end, rod->ntendon, sizeof *rod->tendon_end)));
+    TRY(passage_columns(p, "rod/tendon", 1, &path,
+                        rows_of(rod->tendon_path, rod->ntendon, n * sizeof *rod->tendon_path)));
+    TRY(passage_columns(p, "rod/rest", COUNT_OF(poses), poses,
+                        rows_of(rod->rest, rod->npoint, sizeof *rod->rest)));
+    TRY(pass_sketches(p, rod));
+
+done:
+    return st;
+}
+
 static status pass_names(const passage *p, rod_result *rod)
 {
     static const column name = {"name", COLUMN_TEXT, "-", 0, 0, {RESULT_NAME}, 0};
@@ -173,6 +215,7 @@ status store_pass_rod(const passage *p, run_result *r)
     TRY(passage_columns(p, "rod", 1, &length, single(r)));
     TRY(pass_sizes(p, rod));
     TRY(pass_names(p, rod));
+    TRY(pass_surroundings(p, rod));
     TRY(pass_runs(p, rod));
     TRY(rod->has_rates ? pass_rates(p, rod) : OK);
     for (int i = 0; i < rod->nsolution; i++) {

@@ -156,6 +156,25 @@ static void make_rates(counter *c, rod_rates *rates)
     fill(c, 36, rates->body.a);
 }
 
+static void make_surroundings(counter *c, rod_result *rod)
+{
+    rod_load_sketch *load = rod->load_sketch;
+    fill(c, 2, rod->tendon_end);
+    fill(c, 12, rod->tendon_path[0]);
+    load->kind = LOAD_ALONG_LINE;
+    load->frame = LOAD_BODY;
+    fill(c, 1, &load->from);
+    fill(c, 1, &load->to);
+    fill(c, 3 * LOAD_PLACES, load->force[0].a);
+    fill(c, 3 * LOAD_PLACES, load->moment[0].a);
+    fill(c, 2 * LOAD_PLACES, load->place[0]);
+    fill(c, 3, load->acceleration.a);
+    for (int k = 0; k < 3; k++) {
+        fill(c, 9, rod->rest[k].R.a);
+        fill(c, 3, rod->rest[k].p.a);
+    }
+}
+
 static void make_rod(counter *c, run_result *r)
 {
     rod_result *rod = &r->rod;
@@ -168,6 +187,7 @@ static void make_rod(counter *c, run_result *r)
     (void)snprintf(rod->tendon_name[0], sizeof rod->tendon_name[0], "t1");
     (void)snprintf(rod->tendon_name[1], sizeof rod->tendon_name[1], "\"=t2\"");
     (void)snprintf(rod->load_name[0], sizeof rod->load_name[0], "weight");
+    make_surroundings(c, rod);
     for (int i = 0; i < 2; i++) {
         make_solution(c, rod, i);
         make_shape(c, rod, &rod->run[i]);
@@ -475,6 +495,10 @@ static void the_store_gives_back_all_of_a_run(const scratch *dir)
                      sizeof(double[3 * 18])) == 0);
         CHECK(memcmp(back.rod.run[i].shape, r.rod.run[i].shape, 3 * sizeof(pose)) == 0);
     }
+    CHECK(memcmp(back.rod.load_sketch, r.rod.load_sketch, sizeof *r.rod.load_sketch) == 0);
+    CHECK(memcmp(back.rod.tendon_end, r.rod.tendon_end, sizeof(double[2])) == 0);
+    CHECK(memcmp(back.rod.tendon_path, r.rod.tendon_path, sizeof(double[12])) == 0);
+    CHECK(memcmp(back.rod.rest, r.rod.rest, 3 * sizeof(pose)) == 0);
     const law_along *a = &back.section.along, *b = &r.section.along;
     CHECK(a->length == b->length && a->npanel == b->npanel && a->nnode == b->nnode);
     CHECK(memcmp(a->edge, b->edge, 3 * sizeof *a->edge) == 0);
