@@ -416,6 +416,9 @@ status equilibrium_resume(rod_state *state)
     if (!state->solved) {
         return status_fail(ERR_BUG, "rod: derivatives are asked for before a solution");
     }
+    if (!state->by_load) {
+        equilibrium_remember(state);
+    }
     demand_copy(e->rod, &e->to, &e->from);
     memcpy(e->tension, state->tension, (size_t)e->rod->ntendon * sizeof *e->tension);
     classify(e);

@@ -99,7 +99,7 @@ struct equilibrium {
 status equilibrium_make(const rod *r, equilibrium **out);
 void equilibrium_free(equilibrium *e);
 
-// After an answer to tensions alone: where a warm solve starts.
+// Of an answer to tensions alone: where a warm solve or a derivative starts.
 void equilibrium_remember(rod_state *state);
 
 // The state's last answer linearised, for derivatives: ERR_BUG before an answer, ERR_NUMERIC at a
