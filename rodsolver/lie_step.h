@@ -4,6 +4,7 @@
 #pragma once
 
 #include "base/se3.h"
+#include "rodsolver/lanes.h"
 
 enum { GAUSS_STATIONS = 3 };
 
@@ -13,6 +14,13 @@ extern const double gauss_point[GAUSS_STATIONS], gauss_weight[GAUSS_STATIONS];
 // The twist whose exponential carries g over a panel of length h with strains xi at its three Gauss
 // points.
 vec6 lie_step_twist(double h, const vec6 xi[GAUSS_STATIONS]);
+
+// The motion over eight panels at once.
+typedef struct lanes_pose {
+    lanes R[3][3], p[3];
+} lanes_pose;
+
+void lie_step_lanes(const lanes *h, const lanes xi[GAUSS_STATIONS][6], lanes_pose *out);
 
 // Cardinal polynomials of the six Gauss stations of two equal panels, at t in [0, 2] panel lengths:
 // weight[6].

@@ -33,11 +33,7 @@ vec6 tendon_wrench(const tendon_place *r, vec3 f)
 
 // the linear problem at given lengths
 typedef struct state {
-    double l[ROD_MAX_TENDONS];
-    mat6 lower; // Cholesky factor of K + sum tau_i / l_i A_i^T A_i
     vec6 xi;
-    vec3 y[ROD_MAX_TENDONS];
-    double size[ROD_MAX_TENDONS]; // |y|
     double energy, residual;
 } state;
 
@@ -58,107 +54,90 @@ static void add_tendon(const tendon_place *r, double q, mat6 *H)
     H->a[5][5] += qx * r->x + qy * r->y;
 }
 
-static bool evaluate(const local_problem *p, const vec3 *d0, state *s)
+static bool evaluate(const local_problem *p, state *s)
 {
-    mat6 H = *p->K;
+    mat6 H = *p->K, lower;
     vec6 g = {0};
     for (int i = 0; i < p->ntendon; i++) {
-        const double q = p->tension[i] / s->l[i];
-        add_tendon(&p->place[i], q, &H);
-        g = vec6_sub(g, tendon_wrench(&p->place[i], vec3_scale(q, d0[i])));
+        const local_tendon *t = &p->tendon[i];
+        const double q = t->tension / t->l;
+        add_tendon(&t->place, q, &H);
+        g = vec6_sub(g, tendon_wrench(&t->place, vec3_scale(q, t->d0)));
     }
-    if (!mat6_cholesky(H, &s->lower)) {
+    if (!mat6_cholesky(H, &lower)) {
         return false;
     }
-    s->xi = vec6_add(p->rest, mat6_cholesky_solve(&s->lower, g));
+    s->xi = vec6_add(p->rest, mat6_cholesky_solve(&lower, g));
     s->energy = s->residual = 0;
     for (int i = 0; i < p->ntendon; i++) {
-        s->y[i] = vec3_scale(1 / s->l[i], tendon_direction(&p->place[i], &s->xi));
-        s->size[i] = vec3_norm(s->y[i]);
-        s->energy += p->tension[i] * (vec3_dot(d0[i], s->y[i]) + s->l[i]) / 2;
-        const double off = fabs(s->size[i] - 1);
+        local_tendon *t = &p->tendon[i];
+        t->y = vec3_scale(1 / t->l, tendon_direction(&t->place, &s->xi));
+        t->size = vec3_norm(t->y);
+        s->energy += t->tension * (vec3_dot(t->d0, t->y) + t->l) / 2;
+        const double off = fabs(t->size - 1);
         s->residual = s->residual >= off ? s->residual : off;
     }
     return isfinite(s->energy);
 }
 
-// u = L^-1 b
-static vec6 forward(const mat6 *L, vec6 b)
+// The second derivatives in the lengths are S = D - U U^T with D_i = q_i |y_i|^2, q_i = tau_i /
+// l_i, and rows u_i = q_i L^-1 A_i^T y_i of six numbers. By Woodbury's formula S^-1 needs only the
+// second derivatives in the strain, H = K + sum q_i A_i^T (I - t_i t_i^T) A_i:
+//   S^-1 b = D^-1 (b + q_i y_i . A_i z),   H z = sum A_j^T y_j b_j / |y_j|^2
+static bool factor_strain(const local_problem *p, mat6 *lower)
 {
-    for (int i = 0; i < 6; i++) {
-        for (int k = 0; k < i; k++) {
-            b.a[i] -= L->a[i][k] * b.a[k];
-        }
-        b.a[i] /= L->a[i][i];
-    }
-    return b;
-}
-
-// second derivatives in the lengths, factored: S_ij = delta_ij |y_i|^2 tau_i / l_i - (tau_i / l_i)
-// (tau_j / l_j) u_i . u_j
-static bool factor_lengths(const local_problem *p, const state *s,
-                           double S[ROD_MAX_TENDONS][ROD_MAX_TENDONS])
-{
-    vec6 u[ROD_MAX_TENDONS];
+    mat6 H = *p->K;
     for (int i = 0; i < p->ntendon; i++) {
-        const double q = p->tension[i] / s->l[i];
-        u[i] = vec6_scale(q, forward(&s->lower, tendon_wrench(&p->place[i], s->y[i])));
-        for (int j = 0; j <= i; j++) {
-            S[i][j] = (i == j ? s->size[i] * s->size[i] * q : 0) - vec6_dot(u[i], u[j]);
+        const local_tendon *t = &p->tendon[i];
+        const double q = t->tension / t->l;
+        add_tendon(&t->place, q, &H);
+        const vec6 along = tendon_wrench(&t->place, vec3_scale(1 / t->size, t->y));
+        for (int c = 0; c < 36; c++) {
+            H.a[c / 6][c % 6] -= q * along.a[c / 6] * along.a[c % 6];
         }
     }
-    for (int j = 0; j < p->ntendon; j++) {
-        for (int i = j; i < p->ntendon; i++) {
-            for (int k = 0; k < j; k++) {
-                S[i][j] -= S[i][k] * S[j][k];
-            }
-            if (i == j) {
-                if (!(S[j][j] > 0)) {
-                    return false;
-                }
-                S[j][j] = sqrt(S[j][j]);
-            } else {
-                S[i][j] /= S[j][j];
-            }
-        }
-    }
-    return true;
+    return mat6_cholesky(H, lower);
 }
 
-static void solve_lengths(int n, double S[ROD_MAX_TENDONS][ROD_MAX_TENDONS], double *b)
+// step <- S^-1 step
+static void solve_lengths(const local_problem *p, const mat6 *lower)
 {
-    for (int i = 0; i < n; i++) {
-        for (int k = 0; k < i; k++) {
-            b[i] -= S[i][k] * b[k];
-        }
-        b[i] /= S[i][i];
+    vec6 g = {0};
+    for (int i = 0; i < p->ntendon; i++) {
+        const local_tendon *t = &p->tendon[i];
+        const double share = t->step / (t->size * t->size);
+        g = vec6_add(g, tendon_wrench(&t->place, vec3_scale(share, t->y)));
     }
-    for (int i = n - 1; i >= 0; i--) {
-        for (int k = i + 1; k < n; k++) {
-            b[i] -= S[k][i] * b[k];
-        }
-        b[i] /= S[i][i];
+    const vec6 z = mat6_cholesky_solve(lower, g);
+    for (int i = 0; i < p->ntendon; i++) {
+        local_tendon *t = &p->tendon[i];
+        const double q = t->tension / t->l;
+        const tendon_place straight = {.x = t->place.x, .y = t->place.y};
+        t->step = (t->step + q * vec3_dot(t->y, tendon_direction(&straight, &z))) /
+                  (q * t->size * t->size);
     }
 }
 
 // Newton for 1/|y_i| = 1, nearly linear in l; where that is no descent, Newton for the gradient
 // itself. The slope of the energy along the step
-static double length_step(const local_problem *p, const state *s, double *step)
+static double length_step(const local_problem *p)
 {
-    double S[ROD_MAX_TENDONS][ROD_MAX_TENDONS];
-    if (!factor_lengths(p, s, S)) {
+    mat6 lower;
+    if (!factor_strain(p, &lower)) {
         return 0;
     }
     double slope = 0;
     for (int attempt = 0; attempt < 2; attempt++) {
         for (int i = 0; i < p->ntendon; i++) {
-            const double y = s->size[i];
-            step[i] = p->tension[i] * (attempt == 0 ? y * y * (y - 1) : (y * y - 1) / 2);
+            local_tendon *t = &p->tendon[i];
+            const double y = t->size;
+            t->step = t->tension * (attempt == 0 ? y * y * (y - 1) : (y * y - 1) / 2);
         }
-        solve_lengths(p->ntendon, S, step);
+        solve_lengths(p, &lower);
         slope = 0;
         for (int i = 0; i < p->ntendon; i++) {
-            slope += p->tension[i] * (1 - s->size[i] * s->size[i]) / 2 * step[i];
+            const local_tendon *t = &p->tendon[i];
+            slope += t->tension * (1 - t->size * t->size) / 2 * t->step;
         }
         if (slope < 0) {
             break;
@@ -168,17 +147,20 @@ static double length_step(const local_problem *p, const state *s, double *step)
 }
 
 // the longest of 1, 1/2, 1/4 ... of the step that lowers the energy
-static bool advance(const local_problem *p, const vec3 *d0, const double *step, double slope,
-                    state *s, int *steps)
+static bool advance(const local_problem *p, double slope, state *s, int *steps)
 {
     double share = 1;
+    for (int i = 0; i < p->ntendon; i++) {
+        p->tendon[i].kept = p->tendon[i].l;
+    }
     for (int k = 0; k < MAX_HALVINGS; k++) {
         state trial;
         for (int i = 0; i < p->ntendon; i++) {
-            trial.l[i] = fmax(s->l[i] + share * step[i], shrink * s->l[i]);
+            local_tendon *t = &p->tendon[i];
+            t->l = fmax(t->kept + share * t->step, shrink * t->kept);
         }
         ++*steps;
-        if (evaluate(p, d0, &trial) &&
+        if (evaluate(p, &trial) &&
             (s->residual < trust_residual || trial.energy <= s->energy + 1e-4 * share * slope)) {
             *s = trial;
             return true;
@@ -188,11 +170,11 @@ static bool advance(const local_problem *p, const vec3 *d0, const double *step, 
     return false;
 }
 
-static int shortest(const local_problem *p, const state *s)
+static int shortest(const local_problem *p)
 {
     int which = 0;
     for (int i = 1; i < p->ntendon; i++) {
-        which = s->l[i] < s->l[which] ? i : which;
+        which = p->tendon[i].l < p->tendon[which].l ? i : which;
     }
     return which;
 }
@@ -200,24 +182,23 @@ static int shortest(const local_problem *p, const state *s)
 local_outcome local_solve(const local_problem *p, vec6 *xi, int *steps, int *which)
 {
     state s;
-    vec3 d0[ROD_MAX_TENDONS];
     for (int i = 0; i < p->ntendon; i++) {
-        d0[i] = tendon_direction(&p->place[i], &p->rest);
-        s.l[i] = fmax(vec3_norm(tendon_direction(&p->place[i], xi)), 1e3 * eaten);
+        local_tendon *t = &p->tendon[i];
+        t->d0 = tendon_direction(&t->place, &p->rest);
+        t->l = fmax(vec3_norm(tendon_direction(&t->place, xi)), 1e3 * eaten);
     }
     ++*steps;
-    bool good = evaluate(p, d0, &s);
+    bool good = evaluate(p, &s);
     for (int k = 0; good && k < MAX_STEPS; k++) {
         const bool last = s.residual <= stop_residual;
-        double step[ROD_MAX_TENDONS] = {0};
-        const double slope = length_step(p, &s, step);
-        *which = shortest(p, &s);
-        if (s.l[*which] <= eaten) {
+        const double slope = length_step(p);
+        *which = shortest(p);
+        if (p->tendon[*which].l <= eaten) {
             return LOCAL_EATEN;
         }
         // at rest to the last bit there is no slope left
         good = last || slope < 0;
-        good = good && advance(p, d0, step, slope, &s, steps);
+        good = good && advance(p, slope, &s, steps);
         if (last && good) {
             *xi = s.xi;
             return LOCAL_SOLVED;

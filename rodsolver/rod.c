@@ -85,7 +85,10 @@ status state_take(const struct rod *r, rod_state *out)
     const plan *finest = &r->plans[r->nplan - 1];
     TRY(TAKE(s.tension, (size_t)r->ntendon));
     TRY(TAKE(s.active, (size_t)r->ntendon));
-    TRY(TAKE(s.xi, 6 * (size_t)finest->nstation));
+    TRY(TAKE(s.pulling, (size_t)r->ntendon));
+    TRY(TAKE(s.lane_tendon, (size_t)r->ntendon));
+    TRY(TAKE(s.local.tendon, (size_t)r->ntendon));
+    TRY(TAKE(s.xi, 6 * (size_t)finest->nstation + ROW_PADDING));
     TRY(TAKE(s.pair_pose, (size_t)finest->npair + 1));
     *out = s; // ownership passes only when all is well
     s = (rod_state){0};
@@ -99,6 +102,9 @@ void state_give_back(rod_state *state)
 {
     free(state->tension);
     free(state->active);
+    free(state->pulling);
+    free(state->lane_tendon);
+    free(state->local.tendon);
     free(state->xi);
     free(state->pair_pose);
     *state = (rod_state){0};
@@ -152,12 +158,14 @@ double rod_critical_tension(const rod *r, int tendon, double *s)
 static size_t plan_bytes(const rod *r, const plan *p)
 {
     const size_t n = (size_t)p->nstation, npanel = 2 * (size_t)p->npair;
-    size_t bytes = n * (sizeof *p->s + sizeof *p->K + 6 * sizeof *p->rest) +
+    size_t bytes = n * (sizeof *p->s + sizeof *p->K + (21 + 6) * sizeof *p->rest) +
                    npanel * sizeof *p->pair_edge + (size_t)r->ntendon * sizeof *p->tendon;
-    bytes += p->frame ? n * sizeof *p->frame + (npanel + 1) * sizeof *p->node_frame : 0;
+    bytes += p->frame ? n * (sizeof *p->frame + 4 * sizeof *p->turn) +
+                            (npanel + 1) * sizeof *p->node_frame
+                      : 0;
     for (int i = 0; i < r->ntendon; i++) {
         const plan_tendon *t = &p->tendon[i];
-        bytes += (size_t)t->nstation * (sizeof *t->place + SECULAR_ROWS * sizeof *t->row);
+        bytes += (size_t)t->nstation * (sizeof *t->place + (4 + SECULAR_ROWS) * sizeof *t->row);
     }
     bytes += (size_t)(r->nline_load + r->has_gravity) * (sizeof *p->line + n * sizeof **p->line);
     return bytes + (size_t)r->npoint_load * sizeof *p->point_panel;

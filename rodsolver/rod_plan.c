@@ -63,10 +63,12 @@ static status take_arrays(const struct rod *r, plan *p)
     TRY(TAKE(p->pair_edge, 2 * (size_t)p->npair));
     TRY(TAKE(p->s, n));
     TRY(TAKE(p->K, n));
-    TRY(TAKE(p->rest, 6 * n));
+    TRY(TAKE(p->K_row, 21 * n + ROW_PADDING));
+    TRY(TAKE(p->rest, 6 * n + ROW_PADDING));
     TRY(TAKE(p->tendon, (size_t)r->ntendon));
     if (r->options.frame == FRAME_NC) {
         TRY(TAKE(p->frame, n));
+        TRY(TAKE(p->turn, 4 * n + ROW_PADDING));
     }
 
 done:
@@ -91,6 +93,25 @@ static void lay_stations(const struct rod *r, int npanel, plan *p)
     }
 }
 
+// what lanes read
+static void store_law(plan *p, size_t i)
+{
+    const size_t n = (size_t)p->nstation;
+    size_t entry = 0;
+    for (int j = 0; j < 6; j++) {
+        for (int k = 0; k <= j; k++) {
+            p->K_row[entry++ * n + i] = p->K[i].a[j][k];
+        }
+    }
+    if (p->frame) {
+        const centre_frame *f = &p->frame[i];
+        p->turn[i] = cos(f->phi);
+        p->turn[n + i] = sin(f->phi);
+        p->turn[2 * n + i] = f->p[0];
+        p->turn[3 * n + i] = f->p[1];
+    }
+}
+
 static status fill_laws(const struct rod *r, plan *p)
 {
     const size_t n = (size_t)p->nstation;
@@ -104,6 +125,7 @@ static status fill_laws(const struct rod *r, plan *p)
         }
         vec6 rest;
         station_law(r, p->s[i], frame, &p->K[i], &rest);
+        store_law(p, i);
         for (size_t c = 0; c < 6; c++) {
             if (!isfinite(rest.a[c])) {
                 return status_fail(ERR_INPUT, "rod: the shape at rest is not finite at s = %g m",
@@ -145,7 +167,8 @@ static status fill_tendon(const tendon_spec *spec, const spline *table, const pl
     }
     const size_t n = (size_t)t->nstation;
     TRY(TAKE(t->place, n));
-    TRY(TAKE(t->row, SECULAR_ROWS * n));
+    TRY(TAKE(t->place_row, 4 * n + ROW_PADDING));
+    TRY(TAKE(t->row, SECULAR_ROWS * n + ROW_PADDING));
     t->critical = HUGE_VAL;
     for (int i = 0; i < t->nstation; i++) {
         if (i % PAIR_STATIONS == 0) {
@@ -160,6 +183,10 @@ static status fill_tendon(const tendon_spec *spec, const spline *table, const pl
         if (!isfinite(q->x) || !isfinite(q->y) || !isfinite(q->dx) || !isfinite(q->dy)) {
             TRY(status_fail(ERR_INPUT, "rod: tendon '%s' has no finite place at s = %g m",
                             spec->name ? spec->name : "?", p->s[i]));
+        }
+        const double coordinate[4] = {q->x, q->y, q->dx, q->dy};
+        for (size_t j = 0; j < 4; j++) {
+            t->place_row[j * n + (size_t)i] = coordinate[j];
         }
         const vec6 rest = station_gather(p->rest, p->nstation, i);
         secular_station station;
@@ -243,6 +270,7 @@ void plan_free(plan *p, const struct rod *r)
 {
     for (int i = 0; p->tendon && i < r->ntendon; i++) {
         free(p->tendon[i].place);
+        free(p->tendon[i].place_row);
         free(p->tendon[i].row);
     }
     for (int i = 0; p->line && i < r->nline_load + r->has_gravity; i++) {
@@ -251,8 +279,10 @@ void plan_free(plan *p, const struct rod *r)
     free(p->pair_edge);
     free(p->s);
     free(p->K);
+    free(p->K_row);
     free(p->rest);
     free(p->frame);
+    free(p->turn);
     free(p->node_frame);
     free(p->tendon);
     free(p->line);

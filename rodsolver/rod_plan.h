@@ -12,11 +12,13 @@
 enum { PAIR_STATIONS = 2 * GAUSS_STATIONS, ROD_PROBES = 4, ROD_MAX_PLANS = 20 };
 
 // What the secular equation of one tendon needs, structure of arrays: row after row of [nstation].
+// All rows are padded for lanes.h.
 enum { ROW_M = 0, ROW_B = 3, ROW_G = 6, SECULAR_ROWS = 24 };
 
 typedef struct plan_tendon {
     int nstation;        // stations before the tendon's end: the first ones
     tendon_place *place; // [nstation], seen from the frame in which the rod is solved
+    double *place_row;   // [4][nstation] the same as rows: x, y, dx, dy
     double *row;         // [SECULAR_ROWS][nstation]
     double critical;     // smallest tension at which the tendon alone eats its own length [N] ...
     double critical_at;  // ... and where [m]
@@ -33,8 +35,10 @@ typedef struct plan {
     double *pair_edge;        // [npair][2] [m]
     double *s;                // [nstation] [m]
     mat6 *K;                  // [nstation] in the frame of the solve
+    double *K_row;            // [21][nstation] its lower triangle, row by row
     double *rest;             // [6][nstation] xi* in that frame
     centre_frame *frame;      // [nstation], FRAME_NC only
+    double *turn;             // [4][nstation] cos phi, sin phi, p_x, p_y of it, FRAME_NC only
     centre_frame *node_frame; // [2 npair + 1] at the panels' ends, FRAME_NC only
     plan_tendon *tendon;      // [ntendon]
     line_station **line;      // [nline_load + gravity] [nstation], zero outside the load's stretch
@@ -78,12 +82,15 @@ struct rod_state {
     double *tension;    // [ntendon] at the base
     int *active;        // [nactive] tendons that pull
     int nactive;
-    double *xi;          // [6][nstation] in the solve's frame
-    pose *pair_pose;     // [npair + 1] in the solve's frame, from its base
-    pose base;           // of the rod in the world
-    local_problem local; // room for ntendon tendons
-    equilibrium *loaded; // rods under load; made with the state
-    bool by_load;        // the last answer is one of `loaded`
+    double *xi;               // [6][nstation] in the solve's frame
+    pose *pair_pose;          // [npair + 1] in the solve's frame, from its base
+    pose base;                // of the rod in the world
+    const plan *warm;         // whose answer `xi` still holds; NULL: none
+    int *pulling;             // [ntendon] room: the tendons that pull on a stretch
+    lane_tendon *lane_tendon; // [ntendon] room
+    local_problem local;      // room for ntendon tendons
+    equilibrium *loaded;      // rods under load; made with the state
+    bool by_load;             // the last answer is one of `loaded`
 };
 
 // Shares of the critical tension at which rod_make tries its plans.
@@ -129,3 +136,6 @@ void station_law(const struct rod *r, double s, const centre_frame *frame, mat6 
 // Solves on one plan under tensions alone (state->tension, active); out->relative_error is the
 // estimate, whatever it is.
 status solve_on_plan(rod_state *state, const plan *p, rod_solution *out);
+
+// rod_solve for the tip, its error and the iterations alone.
+status rod_solve_tip(rod_state *state, const rod_request *request, rod_solution *out);

@@ -83,7 +83,7 @@ status rod_strain_at(const rod_state *state, double s, vec6 *xi)
     const int pair = pair_of(state->solved, clipped);
     const double *edge = &state->solved->pair_edge[2 * pair];
     mat6 K;
-    local_problem q = {.K = &K};
+    local_problem q = {.K = &K, .tendon = state->local.tendon};
     station_law(r, clipped, NULL, &K, &q.rest);
     if (state->by_load) {
         *xi = vec6_add(q.rest, strain_between(state, clipped));
@@ -96,8 +96,8 @@ status rod_strain_at(const rod_state *state, double s, vec6 *xi)
         }
         routing path;
         routing_make(&r->spec[i], &r->path[i], edge[0], edge[1], &path);
-        q.place[q.ntendon] = routing_at(&path, clipped);
-        q.tension[q.ntendon++] = state->tension[i];
+        q.tendon[q.ntendon++] =
+            (local_tendon){.place = routing_at(&path, clipped), .tension = state->tension[i]};
     }
     *xi = q.rest;
     int steps = 0, which = 0;

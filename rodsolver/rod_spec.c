@@ -121,10 +121,6 @@ static status check_counts(const rod_spec *spec)
         return status_fail(ERR_INPUT, "rod: gravity acts on masses, and they are not known: give "
                                       "every material of the section a density");
     }
-    if (spec->ntendon > ROD_MAX_TENDONS) {
-        return status_fail(ERR_INPUT, "rod: %d tendons, at most %d are possible", spec->ntendon,
-                           ROD_MAX_TENDONS);
-    }
     return OK;
 }
 

@@ -85,49 +85,57 @@ double secular_critical(const secular_station *s)
 
 // Newton on 1/|y(l)| = 1, concave and increasing in l: from the left it climbs without
 // overshooting, from the right it lands on the left, and l = 0 is on the left of every solution
-static void secular_step(double tau, const double m[3][SECULAR_LANES],
-                         const double b[3][SECULAR_LANES], double *l, double *residual)
+LANES_INLINE void secular_step(double tau, const lanes m[3], const lanes b[3], lanes *l,
+                               lanes *residual)
 {
-    for (int k = 0; k < SECULAR_LANES; k++) {
-        const double q0 = 1 / (l[k] + tau * m[0][k]), q1 = 1 / (l[k] + tau * m[1][k]),
-                     q2 = 1 / (l[k] + tau * m[2][k]);
-        const double y0 = b[0][k] * q0, y1 = b[1][k] * q1, y2 = b[2][k] * q2;
-        const double square = y0 * y0 + y1 * y1 + y2 * y2;
-        const double slope = y0 * y0 * q0 + y1 * y1 * q1 + y2 * y2 * q2;
-        const double size = sqrt(square);
-        const double next = l[k] + (size - 1) * square / slope;
-        residual[k] = fabs(size - 1);
-        l[k] = next > 0 ? next : 0;
+    lanes square = {0}, slope = {0};
+    for (int j = 0; j < 3; j++) {
+        const lanes q = 1 / (*l + tau * m[j]), y = b[j] * q;
+        square += y * y;
+        slope += y * y * q;
+    }
+    for (int k = 0; k < LANES; k++) {
+        const double size = sqrt(square[k]);
+        const double next = (*l)[k] + (size - 1) * square[k] / slope[k];
+        (*residual)[k] = fabs(size - 1);
+        (*l)[k] = next > 0 ? next : 0;
     }
 }
 
-int secular_solve(double tau, const double m[3][SECULAR_LANES], const double b[3][SECULAR_LANES],
-                  double y[3][SECULAR_LANES])
+// tendon along d_0: exact where the tendon does not turn
+LANES_INLINE void secular_start(double tau, const lanes m[3], const lanes b[3], lanes *start)
 {
-    double l[SECULAR_LANES], residual[SECULAR_LANES], worst = HUGE_VAL;
-    for (int k = 0; k < SECULAR_LANES; k++) {
-        // tendon along d_0: exact where the tendon does not turn
-        const double b0 = b[0][k] * b[0][k], b1 = b[1][k] * b[1][k], b2 = b[2][k] * b[2][k];
-        const double square = b0 + b1 + b2;
-        const double start =
-            sqrt(square) - tau * (b0 * m[0][k] + b1 * m[1][k] + b2 * m[2][k]) / square;
-        l[k] = start > 0 ? start : 0;
+    const lanes b0 = b[0] * b[0], b1 = b[1] * b[1], b2 = b[2] * b[2];
+    const lanes square = b0 + b1 + b2;
+    lanes l;
+    for (int k = 0; k < LANES; k++) {
+        l[k] = sqrt(square[k]);
     }
+    l -= tau * (b0 * m[0] + b1 * m[1] + b2 * m[2]) / square;
+    for (int k = 0; k < LANES; k++) {
+        l[k] = l[k] > 0 ? l[k] : 0;
+    }
+    *start = l;
+}
+
+LANES_CODE int secular_solve(double tau, int count, const lanes m[3], const lanes b[3], lanes y[3])
+{
+    lanes l, residual;
+    secular_start(tau, m, b, &l);
     int steps = 0;
-    while (worst > stop_residual) {
+    double worst = HUGE_VAL;
+    while (!(worst <= stop_residual)) {
         if (++steps > MAX_STEPS) {
             return -1;
         }
-        secular_step(tau, m, b, l, residual);
+        secular_step(tau, m, b, &l, &residual);
         worst = 0;
-        for (int k = 0; k < SECULAR_LANES; k++) {
-            worst = isnan(worst) || residual[k] <= worst ? worst : residual[k];
+        for (int k = 0; k < count; k++) {
+            worst = residual[k] <= worst ? worst : residual[k];
         }
     }
-    for (int k = 0; k < SECULAR_LANES; k++) {
-        for (int j = 0; j < 3; j++) {
-            y[j][k] = b[j][k] / (l[k] + tau * m[j][k]);
-        }
+    for (int j = 0; j < 3; j++) {
+        y[j] = b[j] / (l + tau * m[j]);
     }
-    return isfinite(worst) ? steps : -1;
+    return steps;
 }

@@ -2,6 +2,8 @@
 #include "rodsolver/local_problem.h"
 #include "tests/unit/rodsolver/prototypes.h"
 
+enum { MOST_TENDONS = 200 };
+
 static double uniform(unsigned *state)
 {
     // a linear congruence: the same numbers on every machine
@@ -12,14 +14,17 @@ static double uniform(unsigned *state)
 // stiffness of a stiff-sector section about an arbitrary axis, and tendons anywhere in the wall
 static void random_problem(unsigned *state, int ntendon, mat6 *K, local_problem *p)
 {
+    static local_tendon tendon[MOST_TENDONS];
     const prototype tube = constant_nc();
     *K = beam_law_move(prototype_stiffness(&tube, 0.2 + uniform(state)), 0, 0, 7 * uniform(state));
-    *p = (local_problem){.K = K, .rest = {{0, 0, 1, 0, 0, 0}}, .ntendon = ntendon};
+    *p =
+        (local_problem){.K = K, .rest = {{0, 0, 1, 0, 0, 0}}, .ntendon = ntendon, .tendon = tendon};
     for (int i = 0; i < ntendon; i++) {
         const double angle = 7 * uniform(state);
-        p->place[i] = (tendon_place){3.6e-3 * cos(angle), 3.6e-3 * sin(angle),
-                                     0.4 * (uniform(state) - 0.5), 0.4 * (uniform(state) - 0.5)};
-        p->tension[i] = uniform(state);
+        tendon[i] =
+            (local_tendon){.place = {3.6e-3 * cos(angle), 3.6e-3 * sin(angle),
+                                     0.4 * (uniform(state) - 0.5), 0.4 * (uniform(state) - 0.5)}};
+        tendon[i].tension = uniform(state);
     }
 }
 
@@ -31,16 +36,16 @@ static double imbalance(const local_problem *p, vec6 xi)
     double scale = 0;
     const vec3 v = {{xi.a[0], xi.a[1], xi.a[2]}}, w = {{xi.a[3], xi.a[4], xi.a[5]}};
     for (int i = 0; i < p->ntendon; i++) {
-        const tendon_place *q = &p->place[i];
+        const tendon_place *q = &p->tendon[i].place;
         const vec3 r = {{q->x, q->y, 0}}, slope = {{q->dx, q->dy, 0}};
         const vec3 d = vec3_add(vec3_add(v, vec3_cross(w, r)), slope);
-        const vec3 force = vec3_scale(p->tension[i] / vec3_norm(d), d);
+        const vec3 force = vec3_scale(p->tendon[i].tension / vec3_norm(d), d);
         const vec3 moment = vec3_cross(r, force);
         for (int c = 0; c < 3; c++) {
             sum.a[c] += force.a[c];
             sum.a[c + 3] += moment.a[c];
         }
-        scale += p->tension[i];
+        scale += p->tendon[i].tension;
     }
     double worst = 0;
     for (int c = 0; c < 6; c++) {
@@ -96,18 +101,17 @@ static void secular_equation_agrees_with_newton(void)
         local_problem p;
         secular_station s;
         random_problem(&state, 1, &K, &p);
-        CHECK_OK(secular_prepare(&K, &p.rest, &p.place[0], &s));
+        CHECK_OK(secular_prepare(&K, &p.rest, &p.tendon[0].place, &s));
         // up to 99 % of what this tendon can pull
-        const double tau = p.tension[0] = 0.99 * uniform(&state) * secular_critical(&s);
-        double m[3][SECULAR_LANES], b[3][SECULAR_LANES], y[3][SECULAR_LANES];
+        const double tau = p.tendon[0].tension = 0.99 * uniform(&state) * secular_critical(&s);
+        lanes m[3], b[3], y[3];
         for (int j = 0; j < 3; j++) {
-            for (int i = 0; i < SECULAR_LANES; i++) {
+            for (int i = 0; i < LANES; i++) {
                 m[j][i] = s.m[j];
                 b[j][i] = s.b[j];
             }
         }
-        CHECK(secular_solve(tau, (const double(*)[SECULAR_LANES])m,
-                            (const double(*)[SECULAR_LANES])b, y) > 0);
+        CHECK(secular_solve(tau, LANES, m, b, y) > 0);
         CHECK_NEAR(hypot(hypot(y[0][5], y[1][5]), y[2][5]), 1, 1e-14);
         vec6 xi = p.rest, newton = p.rest;
         for (int c = 0; c < 6; c++) {
@@ -149,10 +153,10 @@ static void newton_sees_a_tendon_that_is_eaten(void)
         local_problem p;
         secular_station s;
         random_problem(&state, 1, &K, &p);
-        CHECK_OK(secular_prepare(&K, &p.rest, &p.place[0], &s));
+        CHECK_OK(secular_prepare(&K, &p.rest, &p.tendon[0].place, &s));
         int steps = 0, which = -1;
         vec6 xi = p.rest;
-        p.tension[0] = secular_critical(&s) * (1.01 + uniform(&state));
+        p.tendon[0].tension = secular_critical(&s) * (1.01 + uniform(&state));
         CHECK(local_solve(&p, &xi, &steps, &which) == LOCAL_EATEN);
         CHECK(which == 0);
     }
@@ -168,14 +172,14 @@ static void newton_solves_tendons_that_are_nearly_eaten(void)
         local_problem p;
         secular_station s;
         random_problem(&state, 1, &K, &p);
-        CHECK_OK(secular_prepare(&K, &p.rest, &p.place[0], &s));
+        CHECK_OK(secular_prepare(&K, &p.rest, &p.tendon[0].place, &s));
         const double critical = secular_critical(&s);
         int steps = 0, which = -1;
         vec6 xi = p.rest;
-        p.tension[0] = critical * (1 - share[k % 3]);
+        p.tendon[0].tension = critical * (1 - share[k % 3]);
         CHECK(local_solve(&p, &xi, &steps, &which) == LOCAL_SOLVED);
         CHECK(imbalance(&p, xi) < 1e-9);
-        const double left = vec3_norm(tendon_direction(&p.place[0], &xi));
+        const double left = vec3_norm(tendon_direction(&p.tendon[0].place, &xi));
         CHECK(left > 1e-6 && left < 10 * share[k % 3]);
     }
 }
