@@ -92,10 +92,9 @@ static vec6 rest_at(const plan *p, int station)
     return station_gather(p->rest, p->nstation, station);
 }
 
-// everything that belongs to a plan, but the strains
-void equilibrium_use_plan(equilibrium *e, const plan *p)
+static void rest_lengths(equilibrium *e)
 {
-    e->plan = p;
+    const plan *p = e->plan;
     for (int i = 0; i < p->nstation; i++) {
         e->scratch[i] = e->xi[i];
         e->xi[i] = rest_at(p, i);
@@ -103,6 +102,15 @@ void equilibrium_use_plan(equilibrium *e, const plan *p)
     balance_lengths(e, e->rest_length);
     for (int i = 0; i < p->nstation; i++) {
         e->xi[i] = e->scratch[i];
+    }
+}
+
+// everything that belongs to a plan, but the strains
+void equilibrium_use_plan(equilibrium *e, const plan *p)
+{
+    e->plan = p;
+    if (pull_any(e)) {
+        rest_lengths(e);
     }
     for (int i = 0; e->friction && i < e->rod->ntendon; i++) {
         for (int k = 0; k < e->room; k++) {
@@ -155,10 +163,9 @@ void equilibrium_start_at_rest(equilibrium *e, const plan *p)
 // Newton's own error is a part of the tolerance of the tip, and never below rounding
 static const double newton_share = 0.05, least_newton = 2e-14, coarse_newton = 1e-6;
 
-static double newton_tolerance(const equilibrium *e, bool coarse)
+static double newton_tolerance(const equilibrium *e)
 {
-    const double t = fmax(newton_share * e->rod->options.tolerance, least_newton);
-    return coarse ? fmax(t, coarse_newton) : t;
+    return fmax(newton_share * e->rod->options.tolerance, least_newton);
 }
 
 static vec3 tip_of(equilibrium *e)
@@ -167,12 +174,16 @@ static vec3 tip_of(equilibrium *e)
     return e->node_p[2 * e->plan->npair];
 }
 
-// Two plans' tips differ by about the coarse one's error; of order 6 in the panels' number
-static const double margin = 3, order = 6, rounding = 2e-16;
+// Two plans' tips differ by about the coarse one's error. Of order 6 in the panels' number, but
+// plans that are still far apart are believed less
+static const double margin = 3, rounding = 2e-16;
+static const double near = 3e-4, far = 1e-2;
+enum { ORDER = 6, DOUBTED_ORDER = 4, LEAST_ORDER = 2 };
 
 static double estimate(const equilibrium *e, vec3 coarse, double ncoarse, vec3 fine, double nfine)
 {
     const double apart = vec3_norm(vec3_sub(fine, coarse)) / e->rod->length;
+    const int order = apart < near ? ORDER : apart < far ? DOUBTED_ORDER : LEAST_ORDER;
     return margin * apart / (pow(nfine / ncoarse, order) - 1) + rounding * 2 * nfine;
 }
 
@@ -193,19 +204,26 @@ static int level_beyond(const rod *r, int level, double times)
 
 enum { REFINED, ROUGH_FAILED, ROUGH_LEFT };
 
+// how many times the panels for the tolerance
+static double more_panels(const equilibrium *e, double error)
+{
+    const double wanted = e->rod->options.tolerance / 2;
+    return isfinite(error) ? fmax(1.2, pow(error / wanted, 1.0 / ORDER)) : 2;
+}
+
 // from a coarse answer at factor 1 to one within the tolerance
 static int refine(equilibrium *e, double *error)
 {
     const rod *r = e->rod;
     const double tolerance = r->options.tolerance;
     vec3 coarse = tip_of(e);
-    double times = 1.5;
+    double times = more_panels(e, *error);
     for (int level = level_of(r, e->plan); level < r->nplan - 1;) {
         const int next = level_beyond(r, level, times);
         const int negative = e->negative;
         double moved;
         transfer(e, &r->plans[next]);
-        if (!newton_correct(e, newton_tolerance(e, false), 12, &moved) || moved > 0.5 ||
+        if (!newton_correct(e, newton_tolerance(e), 12, &moved) || moved > 0.5 ||
             (e->conservative && e->negative != negative)) {
             return ROUGH_FAILED;
         }
@@ -214,7 +232,7 @@ static int refine(equilibrium *e, double *error)
         if (*error <= tolerance) {
             return REFINED;
         }
-        times = fmax(1.2, pow(*error / (tolerance / 2), 1 / order));
+        times = more_panels(e, *error);
         coarse = fine;
         level = next;
     }
@@ -231,7 +249,7 @@ static double compare_coarser(equilibrium *e, const plan *coarse)
     memcpy(e->tension_old, e->tension, (size_t)e->rod->ntendon * sizeof *e->tension);
     const int negative = e->negative, determinant = e->determinant;
     transfer(e, coarse);
-    const bool found = newton_correct(e, newton_tolerance(e, true), 8, &moved);
+    const bool found = newton_correct(e, fmax(coarse_newton, newton_tolerance(e)), 8, &moved);
     const vec3 other = tip_of(e);
     memcpy(e->xi, e->old, (size_t)fine->nstation * sizeof *e->xi);
     memcpy(e->tension, e->tension_old, (size_t)e->rod->ntendon * sizeof *e->tension);
@@ -298,55 +316,70 @@ static status fail_tolerance(const equilibrium *e, double error)
                        error, e->rod->options.tolerance, 2 * e->plan->npair);
 }
 
-// from rest: on a coarse plan, and on finer ones where that was too coarse for its own answer
+// from the way's end on a coarse plan to an answer within the tolerance
+static int finish(equilibrium *e, double *error)
+{
+    const rod *r = e->rod;
+    const plan *coarse = coarser_plan(e);
+    *error = coarse ? compare_coarser(e, coarse) : HUGE_VAL;
+    if (*error <= r->options.tolerance || r->options.npanel > 0) {
+        return REFINED;
+    }
+    return level_of(r, e->plan) == r->nplan - 1 ? ROUGH_LEFT : refine(e, error);
+}
+
+// panels for critical points: they are of the plan that the way is followed on
+enum { CRITICAL_PAIRS = 8 };
+
+static int level_for_critical(const equilibrium *e)
+{
+    const rod *r = e->rod;
+    int k = level_of(r, e->plan);
+    while (k < r->nplan - 1 && r->plans[k].npair < CRITICAL_PAIRS) {
+        k++;
+    }
+    return k;
+}
+
+// from rest: on a coarse plan, and on finer ones where that was too coarse for its own answer or
+// for critical points
 static status solve_cold(equilibrium *e, path *way, double *error, int *outcome)
 {
     const rod *r = e->rod;
-    const bool fixed = r->options.npanel > 0;
-    int level = first_level(r);
+    int level = first_level(r), refined = ROUGH_FAILED;
     for (int k = 0; k < ATTEMPTS; k++) {
         *way = (path){.past = way->past};
         equilibrium_start_at_rest(e, &r->plans[level]);
-        *outcome = path_follow(e, way, newton_tolerance(e, !fixed));
-        if (*outcome == PATH_ARRIVED) {
-            const int refined = fixed ? ROUGH_LEFT : refine(e, error);
-            if (refined == REFINED) {
-                return OK;
-            }
-            if (fixed || (refined == ROUGH_LEFT && level == r->nplan - 1)) {
-                *error = compare_coarser(e, coarser_plan(e));
-                return fixed || *error <= r->options.tolerance ? OK : fail_tolerance(e, *error);
-            }
-            if (refined == ROUGH_LEFT) {
-                return fail_tolerance(e, *error);
-            }
+        *outcome = path_follow(e, way, newton_tolerance(e));
+        refined = *outcome == PATH_ARRIVED ? finish(e, error) : ROUGH_FAILED;
+        const bool told = refined == REFINED || *outcome == PATH_LIMIT;
+        const int next = level_for_critical(e);
+        if (told && (way->ncritical == 0 || next <= level)) {
+            return *outcome == PATH_LIMIT ? fail_way(e, way, *outcome) : OK;
         }
-        if (*outcome == PATH_LIMIT && (k > 0 || level == r->nplan - 1)) {
+        if (refined == ROUGH_LEFT || level == r->nplan - 1) {
             break;
         }
-        if (level == r->nplan - 1) {
-            break;
-        }
-        level = level_beyond(r, level, 2);
+        level = told ? next : level_beyond(r, level, 2);
     }
     if (*outcome == PATH_ARRIVED) {
         *outcome = PATH_LOST;
+        return fail_tolerance(e, *error);
     }
     return fail_way(e, way, *outcome);
 }
 
 static status solve_warm(equilibrium *e, path *way, double *error, int *outcome)
 {
-    *outcome = path_follow(e, way, newton_tolerance(e, false));
+    *outcome = path_follow(e, way, newton_tolerance(e));
     if (*outcome != PATH_ARRIVED) {
         return fail_way(e, way, *outcome);
     }
-    const plan *coarse = coarser_plan(e);
-    *error = coarse ? compare_coarser(e, coarse) : HUGE_VAL;
-    if (*error <= e->rod->options.tolerance || e->rod->options.npanel > 0) {
+    if (finish(e, error) == REFINED) {
         return OK;
     }
-    return refine(e, error) == REFINED ? OK : fail_tolerance(e, *error);
+    *outcome = PATH_LOST;
+    return fail_tolerance(e, *error);
 }
 
 // --- between the state and the equilibrium

@@ -72,10 +72,11 @@ struct equilibrium {
     station_state *state;                        // [nstation]
     station_tangent *tangent;                    // [nstation]
     panel_factor *panel;                         // [npanel]
-    double shift;           // the tangent counts K by 1 + shift, for eigenvalues
-    int negative;           // negative directions of the second variation at the last factorization
-    int determinant;        // sign of the tangent's determinant there ...
-    double log_determinant; // ... and the logarithm of its size
+    double shift;    // the tangent counts K by 1 + shift, for eigenvalues
+    int negative;    // negative directions of the second variation at the last factorization
+    int determinant; // sign of the tangent's determinant there ...
+    double determinant_size; // ... and its size over that without loads: this times 2^exponent
+    int determinant_exponent;
 
     // a linear answer: rotations and strains, base frame
     vec3 *phi;                             // [npanel + 1] at the nodes
@@ -154,6 +155,8 @@ void friction_solve(equilibrium *e, double *change, vec6 *strain);
 
 // --- equilibrium_sweep.c
 
+// log of the determinant's size at the last factorization.
+double sweep_log_determinant(const equilibrium *e);
 // Factors the tangent panel by panel from the tip, e->negative and e->determinant; false where it
 // is singular.
 bool sweep_factor(equilibrium *e);
@@ -224,7 +227,7 @@ typedef struct path {
     int negative, determinant; // at the last point
     int ncritical;
     rod_critical critical[ROD_MAX_CRITICAL];
-    double log_determinant;
+    double log_determinant; // of its size
 } path;
 
 // From the equilibrium e->xi at factor 0 to factor 1 on e->plan.

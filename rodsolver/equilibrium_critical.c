@@ -20,7 +20,7 @@ static double crossing_value(const equilibrium *e, const path *way, double log_l
 {
     const bool before =
         e->conservative ? e->negative == way->negative : e->determinant == way->determinant;
-    const double size = exp((e->log_determinant - log_left) / order);
+    const double size = exp((sweep_log_determinant(e) - log_left) / order);
     return before ? size : -size;
 }
 
@@ -62,7 +62,6 @@ bool path_find_crossing(equilibrium *e, path *way)
     const int negative = e->negative, determinant = e->determinant;
     const int order =
         e->conservative && abs(negative - way->negative) > 0 ? abs(negative - way->negative) : 1;
-    const double log_right = e->log_determinant;
     // the right end is kept aside: the search walks over e->xi
     memcpy(e->direction, e->xi, (size_t)e->plan->nstation * sizeof *e->xi);
     memcpy(e->tension_direction, e->tension, (size_t)e->rod->ntendon * sizeof *e->tension);
@@ -79,7 +78,6 @@ bool path_find_crossing(equilibrium *e, path *way)
     }
     e->negative = negative;
     e->determinant = determinant;
-    e->log_determinant = log_right;
     return found;
 }
 
@@ -195,7 +193,7 @@ static bool arc_find_limit(equilibrium *e, const arc_point *from, double step, d
 
 static arc_point arc_point_here(const equilibrium *e, double along)
 {
-    return (arc_point){e->factor, along, e->negative, e->determinant, e->log_determinant};
+    return (arc_point){e->factor, along, e->negative, e->determinant, sweep_log_determinant(e)};
 }
 
 // arrives at factor 1 between the kept point and the present one
@@ -244,12 +242,11 @@ int path_turn(equilibrium *e, path *way, double tolerance)
         }
         const double along = arc_along(e, from.along);
         if ((along > 0) != (from.along > 0)) {
-            const double end = e->factor;
-            memcpy(e->scratch, e->xi, (size_t)e->plan->nstation * sizeof *e->xi);
+            const int behind = e->conservative ? e->negative : -1;
             if (!arc_find_limit(e, &from, step, along)) {
                 return PATH_LOST;
             }
-            path_record(way, CRITICAL_LIMIT, e->factor, e->conservative ? e->negative : -1);
+            path_record(way, CRITICAL_LIMIT, e->factor, behind);
             if (!way->past) {
                 way->factor = e->factor;
                 return PATH_LIMIT;
@@ -258,7 +255,6 @@ int path_turn(equilibrium *e, path *way, double tolerance)
             if (!arc_step(e, &from, step, &moved) || !newton_linearize(e)) {
                 return PATH_LOST;
             }
-            (void)end;
             straight = 0;
         } else if (e->conservative ? e->negative != from.negative
                                    : e->determinant != from.determinant) {
@@ -277,6 +273,6 @@ int path_turn(equilibrium *e, path *way, double tolerance)
     way->factor = e->factor;
     way->negative = e->negative;
     way->determinant = e->determinant;
-    way->log_determinant = e->log_determinant;
+    way->log_determinant = sweep_log_determinant(e);
     return PATH_ARRIVED;
 }

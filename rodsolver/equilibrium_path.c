@@ -75,7 +75,7 @@ static void note_point(const equilibrium *e, path *way)
     way->factor = e->factor;
     way->negative = e->negative;
     way->determinant = e->determinant;
-    way->log_determinant = e->log_determinant;
+    way->log_determinant = sweep_log_determinant(e);
 }
 
 // one natural step from the kept point; false where it must be shorter

@@ -197,6 +197,9 @@ void pull_factor(equilibrium *e)
     e->negative -= wrong;
     e->determinant = wrong % 2 ? -e->determinant : e->determinant;
     for (int i = 0; i < e->rod->ntendon; i++) {
-        e->log_determinant += log(fabs(e->length_by_tension[i * e->rod->ntendon + i]));
+        int exponent;
+        const double pivot = fabs(e->length_by_tension[i * e->rod->ntendon + i]);
+        e->determinant_size = frexp(e->determinant_size * pivot, &exponent);
+        e->determinant_exponent += exponent;
     }
 }

@@ -41,7 +41,7 @@ static void add_matrix(mat3 *m, double c, const mat3 *a)
 
 // rows of omega_i: b_i h (D omega_i + wp phi_i) + sum_j h^2 b_j a_ji (pp phi_j + pw omega_j) - h
 // b_i S phi_end, with phi_j = phi + h sum_l a_jl omega_l
-static void assemble(double h, const station_tangent *t, const mat3 *S,
+static void assemble(double h, const station_tangent *t, const mat3 *S, bool symmetric,
                      double A[UNKNOWNS][UNKNOWNS], double rhs[UNKNOWNS][3])
 {
     const double h2 = h * h, h3 = h2 * h;
@@ -51,7 +51,7 @@ static void assemble(double h, const station_tangent *t, const mat3 *S,
         add_block(A, i, i, h * gauss_weight[i], &t[i].D);
         add_column(rhs, i, h * gauss_weight[i], &t[i].wp);
         add_column(rhs, i, -h * gauss_weight[i], S);
-        for (int l = 0; l < G; l++) {
+        for (int l = 0; l < (symmetric ? i + 1 : G); l++) {
             add_block(A, i, l, h2 * gauss_weight[i] * gauss_inner[i][l], &t[i].wp);
             add_block(A, i, l, h2 * gauss_weight[l] * gauss_inner[l][i], &t[l].pw);
             add_block(A, i, l, -h2 * gauss_weight[i] * gauss_weight[l], S);
@@ -59,6 +59,8 @@ static void assemble(double h, const station_tangent *t, const mat3 *S,
                 add_block(A, i, l, h3 * gauss_weight[j] * gauss_inner[j][i] * gauss_inner[j][l],
                           &t[j].pp);
             }
+        }
+        for (int l = 0; l < G; l++) {
             add_column(rhs, i, h2 * gauss_weight[l] * gauss_inner[l][i], &t[l].pp);
         }
     }
@@ -126,33 +128,36 @@ static void assemble_followers(double h, const station_tangent *t, const followe
 
 // --- the 9x9 factorizations
 
-// L D L^T in place, lower triangle; the number of negative pivots, or -1 where one vanishes
-static int factor_symmetric(double A[UNKNOWNS][UNKNOWNS])
+// L D L^T in place, lower triangle, the pivots' reciprocals on the diagonal; the number of negative
+// pivots, or -1 where one vanishes
+static int factor_symmetric(double A[UNKNOWNS][UNKNOWNS], double *product)
 {
     int negative = 0;
     for (int j = 0; j < UNKNOWNS; j++) {
-        if (A[j][j] == 0 || !isfinite(A[j][j])) {
+        const double pivot = A[j][j];
+        if (pivot == 0 || !isfinite(pivot)) {
             return -1;
         }
-        negative += A[j][j] < 0;
+        negative += pivot < 0;
+        *product *= fabs(pivot);
+        const double reciprocal = 1 / pivot;
         double column[UNKNOWNS];
         for (int i = j + 1; i < UNKNOWNS; i++) {
-            column[i] = A[i][j] / A[j][j];
+            column[i] = A[i][j];
+            A[i][j] *= reciprocal;
         }
         for (int i = j + 1; i < UNKNOWNS; i++) {
             for (int l = j + 1; l <= i; l++) {
-                A[i][l] -= column[i] * A[l][j];
+                A[i][l] -= A[i][j] * column[l];
             }
         }
-        for (int i = j + 1; i < UNKNOWNS; i++) {
-            A[i][j] = column[i];
-        }
+        A[j][j] = reciprocal;
     }
     return negative;
 }
 
 // L U with row exchanges; the sign of the determinant, 0 where it vanishes
-static int factor_general(double A[UNKNOWNS][UNKNOWNS], int exchange[UNKNOWNS])
+static int factor_general(double A[UNKNOWNS][UNKNOWNS], int exchange[UNKNOWNS], double *product)
 {
     int sign = 1;
     for (int j = 0; j < UNKNOWNS; j++) {
@@ -170,6 +175,7 @@ static int factor_general(double A[UNKNOWNS][UNKNOWNS], int exchange[UNKNOWNS])
             A[best][l] = swap;
         }
         sign = (best != j) != (A[j][j] < 0) ? -sign : sign;
+        *product *= fabs(A[j][j]);
         for (int i = j + 1; i < UNKNOWNS; i++) {
             const double c = A[i][j] /= A[j][j];
             for (int l = j + 1; l < UNKNOWNS; l++) {
@@ -188,11 +194,35 @@ static void solve_symmetric(const double A[UNKNOWNS][UNKNOWNS], double *b)
         }
     }
     for (int i = 0; i < UNKNOWNS; i++) {
-        b[i] /= A[i][i];
+        b[i] *= A[i][i];
     }
-    for (int i = UNKNOWNS - 2; i >= 0; i--) {
-        for (int l = i + 1; l < UNKNOWNS; l++) {
-            b[i] -= A[l][i] * b[l];
+    for (int i = UNKNOWNS - 1; i > 0; i--) {
+        for (int l = 0; l < i; l++) {
+            b[l] -= A[i][l] * b[i];
+        }
+    }
+}
+
+// the same for the three columns of the response, in place
+static void solve_columns(const double A[UNKNOWNS][UNKNOWNS], double b[UNKNOWNS][3])
+{
+    for (int i = 1; i < UNKNOWNS; i++) {
+        for (int l = 0; l < i; l++) {
+            for (int c = 0; c < 3; c++) {
+                b[i][c] -= A[i][l] * b[l][c];
+            }
+        }
+    }
+    for (int i = 0; i < UNKNOWNS; i++) {
+        for (int c = 0; c < 3; c++) {
+            b[i][c] *= A[i][i];
+        }
+    }
+    for (int i = UNKNOWNS - 1; i > 0; i--) {
+        for (int l = 0; l < i; l++) {
+            for (int c = 0; c < 3; c++) {
+                b[l][c] -= A[i][l] * b[i][c];
+            }
         }
     }
 }
@@ -298,10 +328,34 @@ static void pass_panel(const equilibrium *e, int k, double h, const follower_map
     }
 }
 
-// what the pivot of a rod without loads is about
-static double panel_scale(const station_tangent *t, int i, double h)
+// over the pivots of a rod without loads, so that no product of them overflows
+static void keep_determinant(equilibrium *e, const station_tangent *t, double h, double product)
 {
-    return h * gauss_weight[i / 3] * fabs(t[i / 3].D.a[i % 3][i % 3]);
+    double without = 1;
+    for (int i = 0; i < UNKNOWNS; i++) {
+        without *= h * gauss_weight[i / 3] * fabs(t[i / 3].D.a[i % 3][i % 3]);
+    }
+    int exponent;
+    e->determinant_size = frexp(e->determinant_size * (product / without), &exponent);
+    e->determinant_exponent += exponent;
+}
+
+static void solve_response(const equilibrium *e, panel_factor *panel)
+{
+    if (e->conservative) {
+        solve_columns((const double(*)[UNKNOWNS])panel->A, panel->response);
+        return;
+    }
+    for (int c = 0; c < 3; c++) {
+        double b[UNKNOWNS];
+        for (int i = 0; i < UNKNOWNS; i++) {
+            b[i] = panel->response[i][c];
+        }
+        solve_general((const double(*)[UNKNOWNS])panel->A, panel->exchange, b);
+        for (int i = 0; i < UNKNOWNS; i++) {
+            panel->response[i][c] = b[i];
+        }
+    }
 }
 
 static bool factor_panel(equilibrium *e, int k, mat3 *S, mat3 *SN)
@@ -313,43 +367,41 @@ static bool factor_panel(equilibrium *e, int k, mat3 *S, mat3 *SN)
     const follower_map *f = NULL;
     panel->S = *S;
     panel->SN = *SN;
-    assemble(h, t, S, panel->A, panel->response);
+    assemble(h, t, S, e->conservative, panel->A, panel->response);
     if (e->followers) {
         map_followers(e, k, h, SN, &map);
         assemble_followers(h, t, &map, panel->A, panel->response);
         f = &map;
     }
+    double product = 1;
     if (e->conservative) {
-        const int negative = factor_symmetric(panel->A);
+        const int negative = factor_symmetric(panel->A, &product);
         if (negative < 0) {
             return false;
         }
         e->negative += negative;
         e->determinant = negative % 2 ? -e->determinant : e->determinant;
     } else {
-        const int sign = factor_general(panel->A, panel->exchange);
+        const int sign = factor_general(panel->A, panel->exchange, &product);
         if (sign == 0) {
             return false;
         }
         e->determinant *= sign;
     }
-    double product = 1;
+    keep_determinant(e, t, h, product);
     for (int i = 0; i < UNKNOWNS; i++) {
-        product *= fabs(panel->A[i][i]) / panel_scale(t, i, h);
-    }
-    e->log_determinant += log(product);
-    for (int c = 0; c < 3; c++) {
-        double b[UNKNOWNS];
-        for (int i = 0; i < UNKNOWNS; i++) {
-            b[i] = -panel->response[i][c];
-        }
-        sweep_solve_panel(e, k, b);
-        for (int i = 0; i < UNKNOWNS; i++) {
-            panel->response[i][c] = b[i];
+        for (int c = 0; c < 3; c++) {
+            panel->response[i][c] = -panel->response[i][c];
         }
     }
+    solve_response(e, panel);
     pass_panel(e, k, h, f, S, SN);
     return true;
+}
+
+double sweep_log_determinant(const equilibrium *e)
+{
+    return log(e->determinant_size) + e->determinant_exponent * 0.69314718055994530942;
 }
 
 bool sweep_factor(equilibrium *e)
@@ -357,7 +409,8 @@ bool sweep_factor(equilibrium *e)
     mat3 S = {0}, SN = {0};
     e->negative = 0;
     e->determinant = 1;
-    e->log_determinant = 0;
+    e->determinant_size = 1;
+    e->determinant_exponent = 0;
     for (int k = 2 * e->plan->npair - 1; k >= 0; k--) {
         add_node(e, k + 1, &S, &SN);
         if (!factor_panel(e, k, &S, &SN)) {
