@@ -1,6 +1,7 @@
 // app/case.c
 #include "app/case.h"
 
+#include "app/case_rod.h"
 #include "fem/segment_material.h"
 
 #include <limits.h>
@@ -189,11 +190,12 @@ static status check_parts(case_data *c)
 {
     status st = OK;
     mark where = {0};
+    char folder[PATH_MAX];
     TRY(bind_materials(c));
     TRY(check_section(c));
     if (case_has_rod(c)) {
-        where = c->file.rod.at;
-        TRY(case_place(c, rod_case_check(&c->file.rod, &where), where));
+        folder_of(config_path(c->config), folder, sizeof folder);
+        TRY(case_rod_bind(c, folder[0] ? folder : NULL));
     }
     if (case_has_segment(c)) {
         where = c->file.fem.at;
@@ -248,6 +250,7 @@ status command_case(const command *cmd, case_data *out)
 void case_free(case_data *c)
 {
     section_case_release(&c->file.section);
+    rod_case_release(&c->file.rod);
     config_free(c->config);
     *c = (case_data){0};
 }

@@ -28,6 +28,13 @@ status chain_section(const case_data *c, bool mesh, run_result *out);
 status chain_answers(const case_data *c, bool fields, run_result *out);
 status chain_points(const case_data *c, run_result *out);
 status chain_rods(const command *cmd, const case_data *c, run_result *out); // after chain_section
+// x and y of a tendon at s as its keys say; of a table what lies between its points.
+void chain_tendon_place(const tendon_spec *t, double s, double place[2]);
+// Of tendons and loads; rods has room for them.
+void chain_rod_names(const rod_case *rc, rod_result *rods);
+// ERR_NUMERIC where a solution ended at a limit point: the result is whole all the same, and marks
+// it.
+status chain_rod_verdict(const case_data *c, const run_result *r);
 status chain_segment(const case_data *c, bool displacements, run_result *out);
 
 // The plane mesh of the section at arclength s: `order` and `size` of the elements, 0 for the

@@ -1,6 +1,7 @@
 // app/chain_rod.c
-// Shapes for every row of tensions.
+// Every solution that the case asks of its rod.
 #include "app/chain.h"
+#include "app/rod_ask.h"
 #include "base/memory.h"
 
 #include <math.h>
@@ -12,25 +13,8 @@ enum { BEND_SAMPLES = 361 };
 // places along the rod where the materials' strains are looked at, ends included
 enum { STRAIN_SAMPLES = 61 };
 
-double chain_total_bend(int npose, const pose *shape)
-{
-    const vec3 base = {{shape[0].R.a[0][2], shape[0].R.a[1][2], shape[0].R.a[2][2]}};
-    vec3 before = {{0, 0, 0}}; // direction in which the last tangent left the base's
-    double total = 0, sign = 1;
-    for (int i = 1; i < npose; i++) {
-        const vec3 t = {{shape[i].R.a[0][2], shape[i].R.a[1][2], shape[i].R.a[2][2]}};
-        const double along = vec3_dot(t, base);
-        const vec3 aside = vec3_sub(t, vec3_scale(along, base));
-        const double angle = atan2(vec3_norm(aside), along); // 0 to pi
-
-        // passing the base's tangent or its opposite turns the direction around: unfold there
-        sign = vec3_dot(aside, before) < 0 ? -sign : sign;
-        const double turns = round((total - sign * angle) / (2 * M_PI));
-        total = sign * angle + 2 * M_PI * turns;
-        before = vec3_norm(aside) > 0 ? aside : before;
-    }
-    return fabs(total);
-}
+// solutions between two lines of progress
+enum { PROGRESS_STRIDE = 16 };
 
 // strains, wrench and tensions at the points of the shape
 static status follow_shape(const rod_state *r, const rod_result *rods, struct rod_run *run)
@@ -121,23 +105,48 @@ static void keep_solution(const rod_solution *solution, struct rod_run *run)
     run->residual = solution->residual;
 }
 
-static status solve_run(rod_state *r, const double *tension, rod_result *rods, struct rod_run *run)
+static void unknown(int n, double *a)
+{
+    for (int i = 0; i < n; i++) {
+        a[i] = NAN;
+    }
+}
+
+// The tip's derivatives; NAN at a limit point, where they are infinite.
+static status find_rates(rod_state *r, double length, const rod_result *rods, struct rod_run *run)
+{
+    rod_rates *rates = &run->rates;
+    const rod_derivatives wanted = {.tension = rates->tension,
+                                    .pull = rates->pull,
+                                    .load = rates->load,
+                                    .tip_space = &rates->space,
+                                    .tip_body = &rates->body};
+    if (!rods->has_rates) {
+        return OK;
+    }
+    if (run->fraction == 1) {
+        return rod_derive(r, length, &wanted);
+    }
+    unknown(6 * rods->ntendon, rates->tension->a);
+    unknown(6 * rods->ntendon, rates->pull->a);
+    unknown(6 * rods->nload, rates->load->a);
+    unknown(36, &rates->space.a[0][0]);
+    unknown(36, &rates->body.a[0][0]);
+    return OK;
+}
+
+// What the state holds about the solution at hand.
+static status keep_answer(rod_state *r, double length, const rod_result *rods, struct rod_run *run)
 {
     status st = OK;
     double s[BEND_SAMPLES];
     pose *samples = NULL;
-    rod_solution solution = {.tendon_length = run->tendon_length, .tension = run->tension};
-    const rod_request request = {.tension = tension, .cold = true, .stability = true};
-    for (int i = 0; i < rods->ntendon; i++) {
-        run->pull[i] = NAN;
-    }
     TRY(TAKE(samples, BEND_SAMPLES));
     TRY(rod_run_room(rods, run));
-    TRY(rod_solve(r, &request, &solution));
-    keep_solution(&solution, run);
     TRY(rod_shape(r, rods->npoint, run->s, run->shape));
     TRY(rod_shape(r, BEND_SAMPLES, s, samples));
     TRY(follow_shape(r, rods, run));
+    TRY(find_rates(r, length, rods, run));
     run->total_bend_rad = chain_total_bend(BEND_SAMPLES, samples);
 
 done:
@@ -145,21 +154,66 @@ done:
     return st;
 }
 
-static void describe_tendons(const rod_case *rc, rod_result *rods)
+// A solve that ends at a limit point has an answer, which tells so: run->fraction < 1.
+static status solve_run(rod_state *r, const rod_ask *ask, const rod_result *rods,
+                        struct rod_run *run)
 {
-    const tendon_spec *tendons = rc->tendons.items;
-    for (int i = 0; i < rods->ntendon; i++) {
-        const tendon_spec *t = &tendons[i];
-        const double radius = field_at(&t->radius, 0), angle = field_at(&t->angle, 0);
-        char *name = rods->tendon_name[i];
-        rods->tendon_base[i][0] = radius * cos(angle) + field_at(&t->x, 0);
-        rods->tendon_base[i][1] = radius * sin(angle) + field_at(&t->y, 0);
-        if (tendons[i].name) {
-            (void)snprintf(name, sizeof rods->tendon_name[i], "%s", tendons[i].name);
-        } else {
-            (void)snprintf(name, sizeof rods->tendon_name[i], "tendon %d", i + 1);
-        }
+    status st = OK;
+    rod_solution solution = {.tendon_length = run->tendon_length, .tension = run->tension};
+    memcpy(run->pull, ask->pull, (size_t)rods->ntendon * sizeof *run->pull);
+    memcpy(run->load, ask->load, (size_t)rods->nload * sizeof *run->load);
+    st = rod_solve(r, &ask->request, &solution);
+    if (rod_ask_limited(st, &solution)) {
+        status_clear();
+        st = OK;
     }
+    TRY(st);
+    keep_solution(&solution, run);
+    TRY(keep_answer(r, ask->rod->length, rods, run));
+
+done:
+    return st;
+}
+
+// --- all of them
+
+static status solve_all(const command *cmd, const case_data *c, rod_state *state, rod_ask *ask,
+                        samples *all, rod_result *rods)
+{
+    status st = OK;
+    for (int i = 0; i < ask->count; i++) {
+        char words[48];
+        (void)snprintf(words, sizeof words, "rod %d of %d", i + 1, ask->count);
+        if (i % PROGRESS_STRIDE == 0) {
+            command_progress(cmd, words);
+        }
+        rod_ask_fill(ask, i);
+        // what stopped at a limit point is no place to go on from
+        ask->request.cold =
+            ask->rod->start == START_REST || i == 0 || rods->run[i - 1].fraction < 1;
+        st = solve_run(state, ask, rods, &rods->run[i]);
+        TRY(case_place(c, st, rod_case_rows(ask->rod)));
+        TRY(sample_wrenches(state, i, all));
+    }
+
+done:
+    return st;
+}
+
+static status make_result(const rod_case *rc, int nsolution, run_result *out)
+{
+    status st = OK;
+    const rod_result sizes = {.ntendon = rc->tendons.count,
+                              .npoint = rc->points,
+                              .nload = rod_case_loads(rc),
+                              .nsolution = nsolution,
+                              .has_rates = rc->derivatives};
+    out->rod_length = rc->length;
+    TRY(rod_result_make(&sizes, &out->rod));
+    chain_rod_names(rc, &out->rod);
+
+done:
+    return st;
 }
 
 status chain_rods(const command *cmd, const case_data *c, run_result *out)
@@ -167,37 +221,49 @@ status chain_rods(const command *cmd, const case_data *c, run_result *out)
     status st = OK;
     const rod_case *rc = &c->file.rod;
     const rod_options options = {.frame = rc->frame, .tolerance = rc->tolerance};
-    const rod_spec spec = {
-        .law = &out->section.along, .ntendon = rc->tendons.count, .tendons = rc->tendons.items};
+    const rod_spec spec = rod_case_spec(rc, &out->section.along);
     rod *r = NULL;
     rod_state *state = NULL;
+    rod_ask ask = {0};
     samples all = {0};
-    out->rod_length = rc->length;
-    const rod_result sizes = {
-        .ntendon = rc->tendons.count, .npoint = rc->points, .nsolution = rc->tensions.nrow};
-    TRY(rod_result_make(&sizes, &out->rod));
-    describe_tendons(rc, &out->rod);
-    TRY(TAKE(all.wrench, (size_t)rc->tensions.nrow * STRAIN_SAMPLES));
+    TRY(rod_ask_make(rc, &ask));
+    TRY(make_result(rc, ask.count, out));
+    TRY(TAKE(all.wrench, (size_t)ask.count * STRAIN_SAMPLES));
     for (int i = 0; i < STRAIN_SAMPLES; i++) {
         all.s[i] = rc->length * i / (STRAIN_SAMPLES - 1);
     }
     TRY(case_place(c, rod_make(&spec, &options, &r), rc->at));
     TRY(rod_state_make(r, &state));
-    for (int i = 0; i < rc->tensions.nrow; i++) {
-        char words[48];
-        (void)snprintf(words, sizeof words, "rod %d of %d", i + 1, rc->tensions.nrow);
-        command_progress(cmd, words);
-        const double *tension = rc->tensions.a + (size_t)i * (size_t)rc->tensions.ncol;
-        st = solve_run(state, tension, &out->rod, &out->rod.run[i]);
-        TRY(case_place(c, st, rc->tensions.at));
-        TRY(sample_wrenches(state, i, &all));
-    }
+    TRY(solve_all(cmd, c, state, &ask, &all, &out->rod));
     TRY(find_strains(c, &all, out));
     out->has_rod = true;
 
 done:
     free(all.wrench);
+    rod_ask_free(&ask);
     rod_state_free(state);
     rod_free(r);
     return st;
+}
+
+status chain_rod_verdict(const case_data *c, const run_result *r)
+{
+    char where[CONFIG_PLACE_TEXT];
+    int limited = 0, first = 0;
+    for (int i = r->rod.nsolution - 1; r->has_rod && i >= 0; i--) {
+        if (r->rod.run[i].fraction < 1) {
+            limited++;
+            first = i;
+        }
+    }
+    if (limited == 0) {
+        return OK;
+    }
+    config_place_text(c->config, rod_case_rows(&c->file.rod), where);
+    return status_fail(ERR_NUMERIC,
+                       "%serror: %d of %d solutions end%s at a limit point, where the rod snaps: "
+                       "solution %d at %.6g of its way; `past_limit_points: true` follows the "
+                       "equilibria on",
+                       where, limited, r->rod.nsolution, limited == 1 ? "s" : "", first + 1,
+                       r->rod.run[first].fraction);
 }

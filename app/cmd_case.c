@@ -83,6 +83,7 @@ static status do_study(command *cmd, const study *what)
     } else if (!what->print) {
         command_hint(cmd, "nothing was written: --out DIR keeps the result, figures and a page");
     }
+    TRY(chain_rod_verdict(&c, &r));
     st = compare_verdict(&r);
 
 done:

@@ -17,7 +17,7 @@ static status write_check(const command *cmd, const case_data *c, FILE *stream)
     json *j = NULL;
     const int ntendon = c->file.rod.tendons.count, nload = c->file.fem.loads.count;
     if (!cmd->json) {
-        const int nrow = c->file.rod.tensions.nrow;
+        const int nrow = rod_case_solutions(&c->file.rod);
         const int nshape = c->file.section.shapes.count;
         fprintf(stream, "%s: good: %d material%s, ", config_path(c->config), c->nmaterial,
                 plural(c->nmaterial));
@@ -27,7 +27,7 @@ static status write_check(const command *cmd, const case_data *c, FILE *stream)
             fprintf(stream, "%d shape%s", nshape, plural(nshape));
         }
         if (case_has_rod(c)) {
-            fprintf(stream, ", rod of %g mm with %d tendon%s and %d row%s of tensions",
+            fprintf(stream, ", rod of %g mm with %d tendon%s, %d solution%s",
                     1e3 * c->file.rod.length, ntendon, plural(ntendon), nrow, plural(nrow));
         }
         if (case_has_segment(c)) {

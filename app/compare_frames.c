@@ -1,6 +1,7 @@
 // app/compare_frames.c
 // The rod in the NC frame against the GC frame.
 #include "app/compare_rows.h"
+#include "app/rod_ask.h"
 #include "base/memory.h"
 
 #include <math.h>
@@ -12,61 +13,82 @@ enum { FRAME_POINTS = 61 };
 // a few hundred exponentials, and the two solves.
 static const double exact_rod = 1e-12, exact_apart = 1e-12;
 
-static status frame_shape(const case_data *c, const run_result *r, int frame, double accuracy,
-                          const double *tension, pose *shape)
-{
-    status st = OK;
-    const rod_case *rc = &c->file.rod;
-    const rod_options options = {.frame = frame, .tolerance = accuracy};
-    const rod_spec spec = {
-        .law = &r->section.along, .ntendon = rc->tendons.count, .tendons = rc->tendons.items};
-    double s[FRAME_POINTS];
-    rod *one = NULL;
-    rod_state *state = NULL;
-    rod_solution solution = {0};
-    TRY(rod_make(&spec, &options, &one));
-    TRY(rod_state_make(one, &state));
-    TRY(rod_solve(state, &(rod_request){.tension = tension}, &solution));
-    TRY(rod_shape(state, FRAME_POINTS, s, shape));
+// solutions of a sweep that are looked at, from the first
+enum { MOST_COMPARED = 24 };
 
-done:
-    rod_state_free(state);
-    rod_free(one);
-    return st;
+// one rod, solved in both frames
+typedef struct both_frames {
+    rod *rod[2];
+    rod_state *state[2];
+    rod_ask ask;
+    pose *shape[2]; // [FRAME_POINTS]
+} both_frames;
+
+static void both_free(both_frames *b)
+{
+    for (int i = 0; i < 2; i++) {
+        rod_state_free(b->state[i]);
+        rod_free(b->rod[i]);
+        free(b->shape[i]);
+    }
+    rod_ask_free(&b->ask);
 }
 
-// the largest distance between the two frames' shapes [m]
-static status frames_apart(const case_data *c, const run_result *r, double accuracy,
-                           const double *tension, double *apart)
+static status both_make(const case_data *c, const run_result *r, double accuracy, both_frames *b)
 {
     status st = OK;
-    pose *gc = NULL, *nc = NULL;
-    TRY(TAKE(gc, FRAME_POINTS));
-    TRY(TAKE(nc, FRAME_POINTS));
-    TRY(frame_shape(c, r, FRAME_GC, accuracy, tension, gc));
-    TRY(frame_shape(c, r, FRAME_NC, accuracy, tension, nc));
-    for (int i = 0; i < FRAME_POINTS; i++) {
-        *apart = fmax(*apart, vec3_norm(vec3_sub(gc[i].p, nc[i].p)));
+    const rod_spec spec = rod_case_spec(&c->file.rod, &r->section.along);
+    TRY(rod_ask_make(&c->file.rod, &b->ask));
+    for (int i = 0; i < 2; i++) {
+        const rod_options options = {.frame = i ? FRAME_NC : FRAME_GC, .tolerance = accuracy};
+        TRY(rod_make(&spec, &options, &b->rod[i]));
+        TRY(rod_state_make(b->rod[i], &b->state[i]));
+        TRY(TAKE(b->shape[i], FRAME_POINTS));
     }
 
 done:
-    free(gc);
-    free(nc);
     return st;
 }
 
-// over all tensions of the case
+// the largest distance between the two shapes of solution i [m]; none where it ends at a limit
+// point
+static status frames_apart(both_frames *b, int i, double *apart)
+{
+    status st = OK;
+    double s[FRAME_POINTS];
+    rod_ask_fill(&b->ask, i);
+    b->ask.request.stability = false;
+    for (int k = 0; k < 2; k++) {
+        rod_solution solution = {0};
+        st = rod_solve(b->state[k], &b->ask.request, &solution);
+        if (rod_ask_limited(st, &solution)) {
+            status_clear();
+            return OK;
+        }
+        TRY(st);
+        TRY(rod_shape(b->state[k], FRAME_POINTS, s, b->shape[k]));
+    }
+    for (int k = 0; k < FRAME_POINTS; k++) {
+        *apart = fmax(*apart, vec3_norm(vec3_sub(b->shape[0][k].p, b->shape[1][k].p)));
+    }
+
+done:
+    return st;
+}
+
+// over the solutions that the case asks for
 static status frames_all(const case_data *c, const run_result *r, double accuracy, double *apart)
 {
     status st = OK;
-    const key_rows *tensions = &c->file.rod.tensions;
+    both_frames b = {0};
     *apart = 0;
-    for (int i = 0; i < tensions->nrow; i++) {
-        const double *tension = tensions->a + (size_t)i * (size_t)tensions->ncol;
-        TRY(frames_apart(c, r, accuracy, tension, apart));
+    TRY(both_make(c, r, accuracy, &b));
+    for (int i = 0; i < b.ask.count && i < MOST_COMPARED; i++) {
+        TRY(frames_apart(&b, i, apart));
     }
 
 done:
+    both_free(&b);
     return st;
 }
 
@@ -79,7 +101,7 @@ status compare_frames(const case_data *c, run_result *r)
     double largest = 0;
     compare_row *row =
         compare_add(r, "nm", "rod: largest distance, NC frame to GC frame (of length)");
-    if (rc->tensions.nrow == 0) {
+    if (rod_case_solutions(rc) == 0) {
         compare_skip(row, "the case has no tensions");
         return OK;
     }
@@ -94,7 +116,7 @@ status compare_frames(const case_data *c, run_result *r)
         return OK;
     }
     status_clear();
-    TRY(case_place(c, frames_all(c, r, rc->tolerance, &largest), rc->tensions.at));
+    TRY(case_place(c, frames_all(c, r, rc->tolerance, &largest), rod_case_rows(rc)));
     compare_judge(row, 1e9 * largest, 0, largest / rc->length,
                   (tolerance){2 * rc->tolerance,
                               exact ? "the rod refuses 1e-12: each shape is within the case's own "

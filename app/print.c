@@ -72,37 +72,6 @@ void print_section(const run_result *r)
     print_answers(r);
 }
 
-static void print_run(const run_result *r, const struct rod_run *run)
-{
-    const rod_result *rods = &r->rod;
-    for (int k = 0; k < rods->ntendon; k++) {
-        printf(" %7.3f", run->tension[k]);
-    }
-    printf("  %9.4f %9.4f %9.4f %9.2f %8.2f%s", print_shown(1e3 * run->tip.p.a[0], 1e-4),
-           print_shown(1e3 * run->tip.p.a[1], 1e-4), print_shown(1e3 * run->tip.p.a[2], 1e-4),
-           degrees * run->total_bend_rad, 100 * run->largest_strain,
-           result_beyond_linear(r, run) >= 0 ? "!" : " ");
-    for (int k = 0; k < rods->ntendon; k++) {
-        printf(" %9.3f", 1e3 * run->tendon_length[k]);
-    }
-    printf(" %6d %8.1e\n", run->iterations, run->relative_error);
-}
-
-void print_rods(const run_result *r)
-{
-    const rod_result *rods = &r->rod;
-    printf("rod: %.4g mm, tendon%s", 1e3 * r->rod_length, rods->ntendon == 1 ? "" : "s");
-    for (int k = 0; k < rods->ntendon; k++) {
-        printf("%s %s", k ? "," : "", rods->tendon_name[k]);
-    }
-    printf("\n%*s  %29s %9s %9s %*s %6s %8s\n", 8 * rods->ntendon, "tension N", "tip x, y, z mm",
-           "bend deg", "strain %", 10 * rods->ntendon, "tendon mm", "steps", "error");
-    for (int i = 0; i < rods->nsolution; i++) {
-        print_run(r, &rods->run[i]);
-    }
-    print_strains(r);
-}
-
 static double angle_of(const double *rotation)
 {
     return degrees *

@@ -15,8 +15,10 @@ static const subcommand list[] = {
     {"section", "CASE", cmd_section, "cross sections: centres, axes, 6x6 stiffness",
      "One row per station. Matrices are in the order nx ny nz mx my mz at the geometric centre.\n",
      "stiffaxis section constant_nc.yaml --json"},
-    {"rod", "CASE", cmd_rod, "shapes for the case's tendon tensions",
-     "Tip position, bend and tendon lengths for each row of rod.tensions_N.\n",
+    {"rod", "CASE", cmd_rod, "shapes under the case's tendons and loads",
+     "Tip position, bend, tendon lengths and stability for each row of tensions, pulled lengths "
+     "and\n"
+     "loads. Exit code 4 where one ends at a limit point; it is shown all the same, and marked.\n",
      "stiffaxis rod constant_nc.yaml --set rod.frame=nc"},
     {"fem", "CASE", cmd_fem, "the 3D segment under the case's tip loads",
      "Linear elasticity on the extruded section; runs under mpirun too.\n",

@@ -1,6 +1,8 @@
 // app/warnings.c
 #include "app/warnings.h"
 
+#include "app/chain.h"
+
 #include <math.h>
 #include <stdarg.h>
 
@@ -44,9 +46,9 @@ static status section_reach(const case_data *c, double s, double *reach)
 
 static double tendon_distance(const tendon_spec *t, double s)
 {
-    const double radius = field_at(&t->radius, s), angle = field_at(&t->angle, s);
-    return hypot(radius * cos(angle) + field_at(&t->x, s),
-                 radius * sin(angle) + field_at(&t->y, s));
+    double place[2];
+    chain_tendon_place(t, s, place);
+    return hypot(place[0], place[1]);
 }
 
 // one line for the first place where the tendon lies outside
@@ -114,7 +116,7 @@ done:
 status warn_tendons(const command *cmd, const case_data *c)
 {
     status st = OK;
-    const tendon_spec *tendons = c->file.rod.tendons.items;
+    const tendon_spec *tendons = c->file.rod.spec;
     for (int i = 0; i < c->file.rod.tendons.count; i++) {
         TRY(warn_tendon(cmd, c, &tendons[i], i + 1));
     }

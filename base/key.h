@@ -22,6 +22,7 @@ typedef enum key_kind {
     KEY_FIELD,   // field: a number or an expression in s
     KEY_PLACE,   // place_field: a number or an expression in x, y and s
     KEY_VECTOR,  // double[count]
+    KEY_FIELDS,  // field[count]: a list of numbers or expressions in s
     KEY_ROWS,    // key_rows: a list of lists of `count` numbers (count 0: all rows as long as the
                  // first)
     KEY_TABLE,   // a struct in place, by `table`
@@ -32,12 +33,16 @@ typedef enum key_kind {
 
 typedef enum dimension {
     DIM_NONE,
-    DIM_LENGTH,  // _m _cm _mm _um
-    DIM_ANGLE,   // _rad _deg
-    DIM_FORCE,   // _N _mN
-    DIM_MOMENT,  // _Nm _Nmm
-    DIM_STRESS,  // _Pa _kPa _MPa _GPa
-    DIM_DENSITY, // _kg_per_m3 _g_per_cm3
+    DIM_LENGTH,            // _m _cm _mm _um
+    DIM_ANGLE,             // _rad _deg
+    DIM_FORCE,             // _N _mN
+    DIM_MOMENT,            // _Nm _Nmm
+    DIM_STRESS,            // _Pa _kPa _MPa _GPa
+    DIM_DENSITY,           // _kg_per_m3 _g_per_cm3
+    DIM_CURVATURE,         // _per_m _rad_per_m _deg_per_m _per_mm
+    DIM_FORCE_PER_LENGTH,  // _N_per_m _N_per_mm _mN_per_mm
+    DIM_MOMENT_PER_LENGTH, // _Nm_per_m _Nmm_per_mm _Nmm_per_m
+    DIM_ACCELERATION,      // _m_per_s2
     DIM_COUNT,
 } dimension;
 
@@ -65,7 +70,8 @@ typedef struct key {
     key_kind kind;
     dimension dimension;
     double min, max; // SI, both included; not checked where both are 0
-    int count;       // KEY_VECTOR, KEY_ROWS
+    int count;       // KEY_VECTOR, KEY_FIELDS, KEY_ROWS
+    bool open;       // KEY_ROWS: an entry may be `~`, which is read as NAN
     int max_count;   // KEY_ROWS, KEY_LIST, KEY_NAMED: entries at most; 0 means 10000
     bool required;
     int one_of; // keys of a table with the same n > 0: exactly one is given; n < 0: at most one

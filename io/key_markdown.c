@@ -57,10 +57,12 @@ static void put_value(FILE *stream, const key *k)
         put_cell(stream, k->choices);
     } else if (k->kind == KEY_VECTOR) {
         (void)fprintf(stream, "%d numbers", k->count);
+    } else if (k->kind == KEY_FIELDS) {
+        (void)fprintf(stream, "%d numbers or expressions in s", k->count);
     } else if (k->kind == KEY_ROWS && k->count > 0) {
         (void)fprintf(stream, "rows of %d numbers", k->count);
     } else if (k->kind == KEY_ROWS) {
-        (void)fputs("rows of numbers", stream);
+        (void)fprintf(stream, "rows of numbers%s", k->open ? " or ~" : "");
     } else {
         (void)fputs(kinds[k->kind], stream);
     }

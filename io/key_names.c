@@ -18,6 +18,11 @@ int unit_list(dimension d, const unit **list)
     static const unit moment[] = {{"Nm", 1}, {"Nmm", 1e-3}};
     static const unit stress[] = {{"MPa", 1e6}, {"kPa", 1e3}, {"Pa", 1}, {"GPa", 1e9}};
     static const unit density[] = {{"kg_per_m3", 1}, {"g_per_cm3", 1e3}};
+    static const unit curvature[] = {
+        {"per_m", 1}, {"rad_per_m", 1}, {"deg_per_m", degree}, {"per_mm", 1e3}};
+    static const unit line_force[] = {{"N_per_m", 1}, {"N_per_mm", 1e3}, {"mN_per_mm", 1}};
+    static const unit line_moment[] = {{"Nm_per_m", 1}, {"Nmm_per_mm", 1}, {"Nmm_per_m", 1e-3}};
+    static const unit acceleration[] = {{"m_per_s2", 1}};
     static const struct {
         const unit *list;
         int count;
@@ -29,6 +34,10 @@ int unit_list(dimension d, const unit **list)
         [DIM_MOMENT] = {moment, sizeof moment / sizeof *moment},
         [DIM_STRESS] = {stress, sizeof stress / sizeof *stress},
         [DIM_DENSITY] = {density, sizeof density / sizeof *density},
+        [DIM_CURVATURE] = {curvature, sizeof curvature / sizeof *curvature},
+        [DIM_FORCE_PER_LENGTH] = {line_force, sizeof line_force / sizeof *line_force},
+        [DIM_MOMENT_PER_LENGTH] = {line_moment, sizeof line_moment / sizeof *line_moment},
+        [DIM_ACCELERATION] = {acceleration, sizeof acceleration / sizeof *acceleration},
     };
     *list = all[d].list;
     return all[d].count;

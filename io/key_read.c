@@ -98,6 +98,8 @@ static status read_value(const value_key *v, const node *n, char *struct_start)
         return value_place(v, n, out);
     case KEY_VECTOR:
         return value_vector(v, n, out);
+    case KEY_FIELDS:
+        return value_fields(v, n, out);
     case KEY_ROWS:
         return value_rows(v, n, out);
     case KEY_TABLE:

@@ -2,9 +2,11 @@
 // Values of a case that are lists of numbers, flat or in rows.
 #include "io/key_value.h"
 
+#include <math.h>
 #include <stdio.h>
+#include <string.h>
 
-status value_vector(const value_key *v, const node *n, double *out)
+static status check_list(const value_key *v, const node *n)
 {
     char wanted[48];
     (void)snprintf(wanted, sizeof wanted, "a list of %d numbers", v->k->count);
@@ -15,12 +17,43 @@ status value_vector(const value_key *v, const node *n, double *out)
         return config_fail(v->cfg, n->at, "'%s': expected %s, found %d", shortened(v->written).a,
                            wanted, n->count);
     }
-    status st = OK;
+    return OK;
+}
+
+status value_vector(const value_key *v, const node *n, double *out)
+{
+    status st = check_list(v, n);
     int i = 0;
-    for (const node *item = n->first; item && st == OK; item = item->next) {
+    for (const node *item = st == OK ? n->first : NULL; item && st == OK; item = item->next) {
         st = value_real(v, item, &out[i++]);
     }
     return st;
+}
+
+status value_fields(const value_key *v, const node *n, field *out)
+{
+    status st = check_list(v, n);
+    int i = 0;
+    for (const node *item = st == OK ? n->first : NULL; item && st == OK; item = item->next) {
+        st = value_field(v, item, &out[i++]);
+    }
+    return st;
+}
+
+// YAML's own word for nothing
+static bool is_open(const node *n)
+{
+    return n->kind == NODE_SCALAR && n->plain &&
+           (strcmp(n->text, "~") == 0 || strcmp(n->text, "null") == 0);
+}
+
+static status value_entry(const value_key *v, const node *n, double *out)
+{
+    if (v->k->open && is_open(n)) {
+        *out = NAN;
+        return OK;
+    }
+    return value_real(v, n, out);
 }
 
 // every row is a list of ncol; looked at before memory is taken for nrow * ncol numbers
@@ -62,7 +95,7 @@ status value_rows(const value_key *v, const node *n, key_rows *out)
     double *a = out->a;
     for (int i = 0; i < nrow; i++, row = row->next) {
         for (const node *item = row->first; item; item = item->next) {
-            TRY(value_real(v, item, a++));
+            TRY(value_entry(v, item, a++));
         }
     }
 

@@ -93,7 +93,7 @@ static expression_scope scope_of(const value_key *v)
 {
     return (expression_scope){
         .has_L = v->cfg->has_length,
-        .has_s = v->k->kind == KEY_FIELD || v->k->kind == KEY_PLACE,
+        .has_s = v->k->kind == KEY_FIELD || v->k->kind == KEY_FIELDS || v->k->kind == KEY_PLACE,
         .has_place = v->k->kind == KEY_PLACE,
         .L = unit_from_si(arc_unit(v), v->cfg->length_m),
         .no_L = "the length of the rod comes first",

@@ -23,6 +23,7 @@ status value_field(const value_key *v, const node *n, field *out);
 // Where x or y occurs the range is not checked: the places are not known here.
 status value_place(const value_key *v, const node *n, place_field *out);
 status value_vector(const value_key *v, const node *n, double *out); // k->count numbers
+status value_fields(const value_key *v, const node *n, field *out);  // k->count of them
 status value_rows(const value_key *v, const node *n, key_rows *out); // a flat list is one row
 
 // ERR_INPUT: "'x_mm': expected `wanted`, found a list".

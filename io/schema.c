@@ -40,18 +40,21 @@ static void write_reference(schema *s, const char *key_name, const key_table *ta
     }
 }
 
-static void write_types(json *out, const char *first, const char *second)
+static void write_types(json *out, const char *first, const char *second, bool or_null)
 {
     json_array(out, "type");
     json_text(out, NULL, first);
     json_text(out, NULL, second);
+    if (or_null) {
+        json_text(out, NULL, "null");
+    }
     json_array_end(out);
 }
 
 // a number may be arithmetic, and then it is a text; the limits hold for numbers
 static void write_number(json *out, const key *k, const unit *u)
 {
-    write_types(out, k->kind == KEY_INTEGER ? "integer" : "number", "string");
+    write_types(out, k->kind == KEY_INTEGER ? "integer" : "number", "string", k->open);
     if (k->min != 0 || k->max != 0) {
         if (isfinite(k->min)) {
             json_real(out, "minimum", unit_from_si(u, k->min));
@@ -120,12 +123,13 @@ static void write_kind(schema *s, const key *k, const unit *u)
         break;
     case KEY_TEXT:
     case KEY_NAME:
-        write_types(s->out, "string", "number");
+        write_types(s->out, "string", "number", false);
         break;
     case KEY_CHOICE:
         write_choices(s->out, k->choices);
         break;
     case KEY_VECTOR:
+    case KEY_FIELDS:
         write_numbers(s->out, k, u);
         break;
     case KEY_ROWS:
@@ -190,7 +194,8 @@ static void write_key(schema *s, const key *k)
     for (int i = 0; i < n; i++) {
         char name[KEY_NAME_TEXT], about[512];
         key_spelling(k, &units[i], name);
-        const char *varies = k->kind == KEY_FIELD   ? " (may vary with the arclength s)"
+        const bool along = k->kind == KEY_FIELD || k->kind == KEY_FIELDS;
+        const char *varies = along                  ? " (may vary with the arclength s)"
                              : k->kind == KEY_PLACE ? " (may vary with the place x, y, s [m])"
                                                     : "";
         (void)snprintf(about, sizeof about, "%s%s", k->about ? k->about : "", varies);

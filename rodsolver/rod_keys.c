@@ -1,75 +1,101 @@
 // rodsolver/rod_keys.c
-#include "rodsolver/rod_case.h"
+// The rod as a case writes it.
+#include "rodsolver/rod_inner_keys.h"
 
-static const key tendon_key_list[] = {
-    {.name = "name",
-     .kind = KEY_TEXT,
-     .offset = offsetof(tendon_spec, name),
-     .about = "what messages and reports call it"},
-    {.name = "radius",
-     .kind = KEY_FIELD,
-     .dimension = DIM_LENGTH,
-     .offset = offsetof(tendon_spec, radius),
-     .initial = "0",
-     .about = "distance from the geometric centre; may vary along s"},
-    {.name = "angle",
-     .kind = KEY_FIELD,
-     .dimension = DIM_ANGLE,
-     .offset = offsetof(tendon_spec, angle),
-     .initial = "0",
-     .about = "from +x towards +y; may vary along s"},
-    {.name = "x",
-     .kind = KEY_FIELD,
-     .dimension = DIM_LENGTH,
-     .offset = offsetof(tendon_spec, x),
-     .initial = "0",
-     .about = "added to the polar place; may vary along s"},
-    {.name = "y",
-     .kind = KEY_FIELD,
-     .dimension = DIM_LENGTH,
-     .offset = offsetof(tendon_spec, y),
-     .initial = "0",
-     .about = "added to the polar place; may vary along s"},
-    {.name = "end",
-     .kind = KEY_REAL,
-     .dimension = DIM_LENGTH,
-     .min = 1e-9,
-     .max = 1e3,
-     .offset = offsetof(tendon_spec, end),
-     .initial = "the tip",
-     .about = "arclength where the tendon is anchored"},
-};
+#define COUNT(list) ((int)(sizeof(list) / sizeof *(list)))
 
-static const key_table tendon_keys = {
-    .name = "tendon",
-    .size = sizeof(tendon_spec),
-    .nkey = sizeof tendon_key_list / sizeof *tendon_key_list,
-    .keys = tendon_key_list,
-    .about = "a frictionless tendon from the base to its end",
-};
+// what acts is far below: such a number is a mistake in the unit
+#define MOST_NEWTONS 1e9
+#define MOST_METRES 1e3
+
+#define LIST(word, most, member, inner, text)                                                      \
+    {                                                                                              \
+        .name = word, .kind = KEY_LIST, .max_count = most, .offset = offsetof(rod_case, member),   \
+        .table = &inner, .about = text                                                             \
+    }
+#define TABLE(word, member, inner, text)                                                           \
+    {                                                                                              \
+        .name = word, .kind = KEY_TABLE, .offset = offsetof(rod_case, member), .table = &inner,    \
+        .about = text                                                                              \
+    }
+#define FLAG(word, member, text)                                                                   \
+    {                                                                                              \
+        .name = word, .kind = KEY_FLAG, .offset = offsetof(rod_case, member), .initial = "false",  \
+        .about = text                                                                              \
+    }
 
 static const key rod_key_list[] = {
     {.name = "length",
      .kind = KEY_REAL,
      .dimension = DIM_LENGTH,
      .min = 1e-6,
-     .max = 1e3,
+     .max = MOST_METRES,
      .required = true,
      .offset = offsetof(rod_case, length),
      .about = "of the unloaded geometric centreline"},
-    {.name = "tendons",
-     .kind = KEY_LIST,
-     .max_count = ROD_CASE_TENDONS,
-     .offset = offsetof(rod_case, tendons),
-     .table = &tendon_keys,
-     .about = "tendons, in the order of the tensions"},
+    TABLE("base", base, rod_base_keys, "where the rod is clamped"),
+    TABLE("rest", rest, rod_rest_keys, "its shape at rest; left out, it is straight"),
+    {.name = "breaks",
+     .kind = KEY_ROWS,
+     .dimension = DIM_LENGTH,
+     .min = 0,
+     .max = MOST_METRES,
+     .max_count = 1000,
+     .offset = offsetof(rod_case, breaks),
+     .about = "arclengths where an expression in s jumps or has a kink; those of sections, tendons "
+              "and loads are known"},
+    LIST("tendons", ROD_CASE_TENDONS, tendons, rod_tendon_keys,
+         "tendons, in the order of the tensions"),
+    LIST("loads", ROD_CASE_LOADS, loads, rod_load_keys, "forces and moments at places"),
+    LIST("line_loads", ROD_CASE_LOADS, line_loads, rod_line_load_keys,
+         "forces and moments along the rod"),
+    {.name = "gravity",
+     .kind = KEY_VECTOR,
+     .dimension = DIM_ACCELERATION,
+     .min = -1e6,
+     .max = 1e6,
+     .count = 3,
+     .offset = offsetof(rod_case, gravity),
+     .initial = "[0, 0, 0]",
+     .about = "fixed in space; needs a density of every material"},
     {.name = "tensions",
      .kind = KEY_ROWS,
      .dimension = DIM_FORCE,
      .min = 0,
-     .max = 1e9,
+     .max = MOST_NEWTONS,
+     .max_count = ROD_CASE_SOLUTIONS,
+     .open = true,
      .offset = offsetof(rod_case, tensions),
-     .about = "one row per shape, one tension per tendon"},
+     .about = "one row per solution, one tension per tendon; ~ where the pulled length is given"},
+    {.name = "pulls",
+     .kind = KEY_ROWS,
+     .dimension = DIM_LENGTH,
+     .min = -MOST_METRES,
+     .max = MOST_METRES,
+     .max_count = ROD_CASE_SOLUTIONS,
+     .open = true,
+     .offset = offsetof(rod_case, pulls),
+     .about = "one row per solution, the length of each tendon that is drawn out of the base; ~ "
+              "where the tension is given"},
+    {.name = "load_factors",
+     .kind = KEY_ROWS,
+     .min = -MOST_NEWTONS,
+     .max = MOST_NEWTONS,
+     .max_count = ROD_CASE_SOLUTIONS,
+     .offset = offsetof(rod_case, factors),
+     .about = "one row per solution, one factor per load: loads, line_loads, then gravity where "
+              "there is any; left out, all are 1"},
+    LIST("sweep", 8, sweep, rod_sweep_keys, "ranges of solutions"),
+    {.name = "start",
+     .kind = KEY_CHOICE,
+     .choices = "rest|last",
+     .offset = offsetof(rod_case, start),
+     .initial = "rest",
+     .about = "every solution is reached from rest, or from the solution before it"},
+    FLAG("past_limit_points", past,
+         "follow the equilibria past limit points, where the rod would snap"),
+    FLAG("derivatives", derivatives,
+         "how the tip moves with tensions, pulled lengths, loads and wrenches, in the JSON"),
     {.name = "frame",
      .kind = KEY_CHOICE,
      .choices = "gc|nc",
@@ -105,41 +131,13 @@ static const rod_case initial = {
 const key_table rod_keys = {
     .name = "rod",
     .size = sizeof(rod_case),
-    .nkey = sizeof rod_key_list / sizeof *rod_key_list,
+    .nkey = COUNT(rod_key_list),
     .keys = rod_key_list,
     .initial = &initial,
-    .about = "the rod, its tendons and the tensions to solve for",
+    .about = "the rod, its tendons and loads, and what to solve for",
 };
 
 rod_case rod_case_default(void)
 {
     return initial;
-}
-
-status rod_case_check(const rod_case *c, mark *where)
-{
-    const tendon_spec *tendon = c->tendons.items;
-    for (int i = 0; i < c->tendons.count; i++) {
-        if (tendon[i].end > c->length) {
-            *where = tendon[i].at;
-            return status_fail(ERR_INPUT, "tendon %d ends at %g m, beyond the rod's length of %g m",
-                               i + 1, tendon[i].end, c->length);
-        }
-    }
-    if (c->tensions.nrow > 0 && c->tensions.ncol != c->tendons.count) {
-        *where = c->tensions.at;
-        return status_fail(ERR_INPUT, "a row of tensions has %d numbers for %d tendons",
-                           c->tensions.ncol, c->tendons.count);
-    }
-    for (int i = 0; i < c->tensions.nrow * c->tensions.ncol; i++) {
-        if (!(c->tensions.a[i] >= 0)) {
-            *where = c->tensions.at;
-            return status_fail(ERR_INPUT, "tension %g N: tendons cannot push", c->tensions.a[i]);
-        }
-    }
-    if (c->tendons.count > 0 && c->tensions.nrow == 0) {
-        *where = c->tendons.at;
-        return status_fail(ERR_INPUT, "tendons without tensions: add `tensions_N: [[...], ...]`");
-    }
-    return OK;
 }

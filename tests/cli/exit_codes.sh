@@ -91,7 +91,7 @@ err "warning: tendon 't1' runs at 4.2 mm, outside the section (4 mm)"
 one_line
 expect 0 "$program" check "$tube" --set fem.length_mm=2
 err 'warning: the segment is 0.5 radii long'
-out '1 material, 1 shape, rod of 120 mm with 1 tendon and 3 rows'
+out '1 material, 1 shape, rod of 120 mm with 1 tendon, 3 solutions'
 
 # 5: more than memory holds
 expect 5 "$program" fem "$cases/fig4.yaml" --set fem.layers=10000
