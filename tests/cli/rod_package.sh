@@ -46,6 +46,23 @@ for header in $(cd "$prefix/include" && find . -name '*.h' | sed 's|^\./||'); do
     cc -std=c11 -Wall -Wextra -Wpedantic -Werror -I "$prefix/include" -fsyntax-only "$work/alone.c" || fail "$header does not stand alone"
 done
 
+# --- programs in C++ may use it, too
+
+if command -v c++ >/dev/null 2>&1; then
+    cat >"$work/plus.cpp" <<'END'
+#include <cmath>
+#include <stiffaxis/rod.h>
+int main() {
+    law_along law = {};
+    const status st = law_along_make(std::fabs(-0.12), 1, 1, &law);
+    law_along_free(&law);
+    return st;
+}
+END
+    c++ -I "$prefix/include" "$work/plus.cpp" -o "$work/plus" -L "$libraries" -lstiffaxis_rod || fail 'no C++ program can use it'
+    LD_LIBRARY_PATH=$libraries "$work/plus" || fail 'the C++ program failed'
+fi
+
 # --- programs
 
 # check_output PROGRAM: it runs with the installed library and says what it should
