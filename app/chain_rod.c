@@ -169,6 +169,12 @@ static status solve_run(rod_state *r, const rod_ask *ask, const rod_result *rods
     }
     TRY(st);
     keep_solution(&solution, run);
+    if (solution.fraction < 1) {
+        run->relative_error = NAN; // no estimate where the tangent is singular
+    }
+    if (!ask->request.cold) {
+        run->work = NAN; // it is that of the way from rest, and this one was another
+    }
     TRY(keep_answer(r, ask->rod->length, rods, run));
 
 done:

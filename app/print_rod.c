@@ -90,7 +90,11 @@ static void print_run(const run_result *r, const columns *c, const struct rod_ru
     for (int k = 0; k < c->ntendon; k++) {
         printf(" %9.3f", 1e3 * run->tendon_length[k]);
     }
-    printf(" %6d %8.1e", run->iterations, run->relative_error);
+    if (isnan(run->relative_error)) {
+        printf(" %6d %8s", run->iterations, "-");
+    } else {
+        printf(" %6d %8.1e", run->iterations, run->relative_error);
+    }
     if (c->stability) {
         print_stability(run);
     }
