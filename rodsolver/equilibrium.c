@@ -480,8 +480,7 @@ static vec6 largest_strain(const equilibrium *e)
     return worst;
 }
 
-static void tell(equilibrium *e, const rod_state *state, const path *way, double error,
-                 rod_solution *out)
+static void tell(equilibrium *e, const rod_state *state, double error, rod_solution *out)
 {
     const rod *r = e->rod;
     const plan *p = e->plan;
@@ -490,12 +489,9 @@ static void tell(equilibrium *e, const rod_state *state, const path *way, double
     out->iterations = e->iterations;
     out->relative_error = error;
     out->max_strain = largest_strain(e);
-    out->fraction = way->factor;
     out->stable = e->conservative ? e->negative == 0 : -1;
     out->eigenvalue = NAN;
     out->work = NAN;
-    out->ncritical = way->ncritical;
-    memcpy(out->critical, way->critical, sizeof out->critical);
     balance_check(e, &out->energy, &out->residual);
     if (out->tendon_length) {
         balance_lengths(e, out->tendon_length);
@@ -532,10 +528,16 @@ status equilibrium_solve(rod_state *state, const rod_request *request, rod_solut
         st = solve_cold(e, &way, &error, &outcome);
     }
     state->solved = NULL;
+    out->fraction = way.factor;
+    out->ncritical = way.ncritical;
+    memcpy(out->critical, way.critical, sizeof out->critical);
     if (st == OK || outcome == PATH_LIMIT) {
         balance_poses(e);
+        if (e->friction) {
+            balance_friction(e);
+        }
         store_answer(e, state);
-        tell(e, state, &way, error, out);
+        tell(e, state, error, out);
     }
     if (st == OK && request->stability) {
         out->eigenvalue = energy_eigenvalue(e);

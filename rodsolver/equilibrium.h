@@ -79,11 +79,12 @@ struct equilibrium {
     int determinant_exponent;
 
     // a linear answer: rotations and strains, base frame
-    vec3 *phi;                             // [npanel + 1] at the nodes
-    vec3 *omega;                           // [nstation]
-    vec3 *nu;                              // [nstation]
-    vec3 *rv, *rw;                         // [nstation] right-hand sides
-    vec3 *beyond;                          // [npanel] forces that turn beyond a panel
+    vec3 *phi;       // [npanel + 1] at the nodes
+    vec3 *omega;     // [nstation]
+    vec3 *nu;        // [nstation]
+    vec3 *rv, *rw;   // [nstation] right-hand sides
+    vec3 *load_rate; // [nstation] minus dN / d factor at the last point of the way
+    vec3 *beyond;    // [npanel] forces that turn beyond a panel
     vec3 *kept_v, *kept_w, *arc_v, *arc_w; // [nstation] right-hand sides kept
     vec6 *step, *slope, *old, *scratch; // [nstation] body strains: Newton's step, d xi / d factor,
                                         // the last point of the way

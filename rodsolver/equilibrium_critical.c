@@ -14,61 +14,101 @@ static const double search_width = 1e-10;
 // corrections while searching
 static const double search_tolerance = 1e-9;
 
-// The determinant over the one at the bracket's left end, as a function that crosses zero once:
-// its root of the order in which it vanishes, with the sign of "not yet passed"
-static double crossing_value(const equilibrium *e, const path *way, double log_left, int order)
+// --- between two points of the way, kept in e->old and e->direction
+
+// what tells one side of a critical point from the other
+static int character(const equilibrium *e)
 {
-    const bool before =
-        e->conservative ? e->negative == way->negative : e->determinant == way->determinant;
-    const double size = exp((sweep_log_determinant(e) - log_left) / order);
-    return before ? size : -size;
+    return e->conservative ? e->negative : e->determinant;
 }
 
-// Illinois on the bracket: the determinant is smooth along the way
-static bool search(equilibrium *e, const path *way, double log_left, int order, double *root)
+// From between the two points to the equilibrium at this factor. Both belong to one smooth piece of
+// the way, so that it is near; false where Newton's method goes elsewhere
+static bool solve_between(equilibrium *e, double left, double right, double factor)
 {
-    double a = way->factor, b = e->factor;
-    double fa = 1, fb = crossing_value(e, way, log_left, order);
+    const double share = (factor - left) / (right - left);
+    for (int i = 0; i < e->plan->nstation; i++) {
+        const vec6 change = vec6_sub(e->direction[i], e->old[i]);
+        e->xi[i] = vec6_add(e->old[i], vec6_scale(share, change));
+        e->arc_step[i] = change;
+    }
+    for (int i = 0; i < e->rod->ntendon; i++) {
+        e->tension[i] = e->tension_old[i] + share * (e->tension_direction[i] - e->tension_old[i]);
+    }
+    const double apart = newton_size(e, e->arc_step);
+    double moved;
+    path_factor(e, factor);
+    return newton_correct(e, search_tolerance, 2 * ARC_CORRECTIONS, &moved) &&
+           moved <= fmax(0.5 * apart, 1e-3) && newton_linearize(e);
+}
+
+typedef struct bracket {
+    double a, b;     // factors; the character at a is that of the left point
+    int left, right; // characters at a and b
+    double fa, fb;   // values of the function whose sign tells the side
+    double log_left; // of the determinant at the left point
+} bracket;
+
+// The determinant over the one at the left point, as a function that crosses zero once: its root of
+// the order in which it vanishes, with the sign of "not yet passed"
+static double crossing_value(const equilibrium *e, const bracket *s)
+{
+    const int order = e->conservative && character(e) != s->left ? abs(character(e) - s->left) : 1;
+    const double size = exp((sweep_log_determinant(e) - s->log_left) / order);
+    return character(e) == s->left ? size : -size;
+}
+
+// Illinois, with a bisection now and then: the determinant is smooth along the way
+static bool narrow(equilibrium *e, double left, double right, bracket *s)
+{
     int side = 0;
-    for (int k = 0; k < SEARCH_STEPS && b - a > search_width; k++) {
-        double c = k % 4 == 3 ? (a + b) / 2 : (a * fb - b * fa) / (fb - fa);
-        c = c > a && c < b ? c : (a + b) / 2;
-        double moved;
-        path_factor(e, c);
-        if (!newton_correct(e, search_tolerance, 2 * ARC_CORRECTIONS, &moved) ||
-            !newton_linearize(e)) {
+    for (int k = 0; k < SEARCH_STEPS && s->b - s->a > search_width; k++) {
+        double c = k % 4 == 3 ? (s->a + s->b) / 2 : (s->a * s->fb - s->b * s->fa) / (s->fb - s->fa);
+        c = c > s->a && c < s->b ? c : (s->a + s->b) / 2;
+        if (!solve_between(e, left, right, c)) {
             break;
         }
-        const double fc = crossing_value(e, way, log_left, order);
-        if (fc > 0) {
-            a = c;
-            fa = fc;
-            fb = side == 1 ? fb / 2 : fb;
+        const double f = crossing_value(e, s);
+        if (f > 0) {
+            s->a = c;
+            s->fa = f;
+            s->fb = side == 1 ? s->fb / 2 : s->fb;
             side = 1;
         } else {
-            b = c;
-            fb = fc;
-            fa = side == -1 ? fa / 2 : fa;
+            s->b = c;
+            s->fb = f;
+            s->right = character(e);
+            s->fa = side == -1 ? s->fa / 2 : s->fa;
             side = -1;
         }
     }
-    *root = (a + b) / 2;
-    return b - a <= 1e-4;
+    return s->b - s->a <= 1e-3;
 }
 
+// all crossings from the left point's character to the right one's, one after the other
 bool path_find_crossing(equilibrium *e, path *way)
 {
-    const double right = e->factor;
-    const int negative = e->negative, determinant = e->determinant;
-    const int order =
-        e->conservative && abs(negative - way->negative) > 0 ? abs(negative - way->negative) : 1;
-    // the right end is kept aside: the search walks over e->xi
+    const double left = way->factor, right = e->factor;
+    const int last = character(e), negative = e->negative, determinant = e->determinant;
     memcpy(e->direction, e->xi, (size_t)e->plan->nstation * sizeof *e->xi);
     memcpy(e->tension_direction, e->tension, (size_t)e->rod->ntendon * sizeof *e->tension);
-    double root = right;
-    const bool found = search(e, way, way->log_determinant, order, &root);
-    if (found) {
-        path_record(way, CRITICAL_BIFURCATION, root, e->conservative ? negative : -1);
+    const double log_right = sweep_log_determinant(e);
+    bracket s = {.a = left,
+                 .left = e->conservative ? way->negative : way->determinant,
+                 .log_left = way->log_determinant};
+    bool found = true;
+    while (found && s.left != last) {
+        s.b = right;
+        s.right = last;
+        s.fa = 1;
+        const int order = e->conservative ? abs(last - s.left) : 1;
+        s.fb = -exp((log_right - s.log_left) / order);
+        found = narrow(e, left, right, &s);
+        if (found) {
+            path_record(way, CRITICAL_BIFURCATION, (s.a + s.b) / 2, e->conservative ? s.right : -1);
+            s.a = s.b;
+            s.left = s.right;
+        }
     }
     memcpy(e->xi, e->direction, (size_t)e->plan->nstation * sizeof *e->xi);
     memcpy(e->tension, e->tension_direction, (size_t)e->rod->ntendon * sizeof *e->tension);
@@ -217,14 +257,15 @@ static int arc_arrive(equilibrium *e, path *way, const arc_point *from, double t
 
 int path_turn(equilibrium *e, path *way, double tolerance)
 {
-    if (!newton_linearize(e)) {
+    // the points of the way are rough: across a short step that would be all there is
+    double moved;
+    if (!newton_correct(e, search_tolerance, 2 * ARC_CORRECTIONS, &moved) || !newton_linearize(e)) {
         return PATH_LOST;
     }
     arc_point from = arc_point_here(e, arc_tangent(e, true, 0));
     double step = 0.1;
     int straight = 0;
     for (int k = 0; k < ARC_STEPS; k++) {
-        double moved;
         path_keep(e);
         if (!arc_step(e, &from, step, &moved)) {
             step /= 3;

@@ -38,6 +38,7 @@ static status take_stations(equilibrium *e, size_t n)
     TRY(TAKE(e->kept_v, n));
     TRY(TAKE(e->kept_w, n));
     TRY(TAKE(e->arc_v, n));
+    TRY(TAKE(e->load_rate, n));
     TRY(TAKE(e->arc_w, n));
     TRY(TAKE(e->step, n));
     TRY(TAKE(e->slope, n));
@@ -132,6 +133,7 @@ void equilibrium_free(equilibrium *e)
                      e->kept_v,
                      e->kept_w,
                      e->arc_v,
+                     e->load_rate,
                      e->arc_w,
                      e->step,
                      e->slope,

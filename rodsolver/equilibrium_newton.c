@@ -166,6 +166,7 @@ void newton_sum_misfits(equilibrium *e)
         s->M = e->rw[i];
         e->rv[i] = vec3_scale(-1, N);
         e->rw[i] = vec3_scale(-1, M);
+        e->load_rate[i] = e->rv[i];
     }
 }
 

@@ -86,6 +86,22 @@ static bool step_by_factor(equilibrium *e, double step, double tolerance, double
     return path_try(e, e->factor + step, tolerance, predicted, moved);
 }
 
+// Between two critical points of a rod in compression lies at least about an Euler load of a
+// cantilever: no step is longer, so that none are passed over in pairs
+static double longest_step(const equilibrium *e)
+{
+    const double pi = 3.14159265358979323846, length = e->rod->length;
+    double compression = 0, stiffness = HUGE_VAL;
+    for (int i = 0; i < e->plan->nstation; i++) {
+        const vec3 p = e->state[i].slope;
+        // newton_slope leaves minus the forces' rate here
+        compression = fmax(compression, vec3_dot(e->load_rate[i], p) / vec3_norm(p));
+        stiffness = fmin(stiffness, fmin(e->plan->K[i].a[3][3], e->plan->K[i].a[4][4]));
+    }
+    const double euler = pi * pi * stiffness / (4 * length * length);
+    return compression > 0 ? euler / compression : HUGE_VAL;
+}
+
 static double next_step(double step, double moved)
 {
     const double wanted = sqrt(aim / fmax(moved, 1e-12));
@@ -105,7 +121,8 @@ int path_follow(equilibrium *e, path *way, double tolerance)
         double moved = 0;
         // no crumbs before the end
         const double left = 1 - way->factor;
-        const double share = step >= 0.85 * left ? left : fmin(step, left);
+        step = fmin(step, longest_step(e));
+        const double share = step >= 0.85 * left ? left : step;
         const bool last = share == left;
         path_keep(e);
         if (!step_by_factor(e, share, last ? tolerance : rough, &moved)) {
