@@ -10,9 +10,9 @@
 
 // corrections that steps aim at, and the largest that is believed: against another equilibrium
 // nearby, a correction must also stay below a part of the step itself
-static const double aim = 0.12, largest = 0.5, largest_share = 0.4, always = 0.03;
+static const double aim = 0.15, largest = 0.5, largest_share = 0.4, always = 0.03;
 static const double first_turn = 1; // of the first step
-static const double rough = 1e-3;   // what is left on the way, before the last point
+static const double rough = 3e-3;   // what is left on the way, before the last point
 static const double shortest = 0.02, growth = 3, shrink = 0.35;
 enum { PATH_STEPS = 400, CORRECTIONS = 7 };
 
@@ -83,7 +83,9 @@ static bool step_by_factor(equilibrium *e, double step, double tolerance, double
 {
     const double predicted = step * newton_size(e, e->slope);
     newton_advance(e, step, e->slope, e->tension_slope);
-    return path_try(e, e->factor + step, tolerance, predicted, moved);
+    // the last point is sharp; the tangent of others is one correction old
+    return path_try(e, e->factor + step, tolerance, predicted, moved) &&
+           (e->factor == 1 || newton_linearize(e));
 }
 
 // Between two critical points of a rod in compression lies at least about an Euler load of a
