@@ -22,6 +22,7 @@ typedef struct shoot_answer {
     int ncritical;
     shoot_critical critical[SHOOT_CRITICALS];
     int sign; // of the determinant: -1 where the number of negative directions is odd, 0 at a limit
+    int negative; // directions of the second variation; -1: no potential, or a limit point
     double error; // of the tip, by half as many steps [m]
     int points, marches;
 } shoot_answer;

@@ -1,12 +1,14 @@
 // tests/rod_shooting_solve.h
-// The second method, part 5: walks the path, tells what is met on it, and ends with twice as many
+// The second method, part 6: walks the path, tells what is met on it, and ends with twice as many
 // steps, whose difference tells the error.
 #pragma once
 
-#include "tests/rod_shooting_path.h"
+#include "tests/rod_shooting_index.h"
 
 typedef struct shoot_walk {
     shoot_path *p;
+    bool potential;
+    int negative;           // directions at `at`, where there is a potential
     shoot_point at, before; // before.z only serves its tangent
     double last, step;      // arclength of the last step and of the next
     double y[SHOOT_SIZE];
@@ -109,6 +111,37 @@ static inline bool shoot_land(shoot_walk *w, const shoot_point *b, shoot_point *
     return shoot_correct(w->p, across, w->at.tangent, z, out, w->y) && out->tangent[n] > 0;
 }
 
+// The number of negative directions changes by one where the determinant's sign changes, and else
+// not at all: otherwise the step went past two critical points, or across to another path. y: the
+// state at the tip.
+static inline bool shoot_counts(const shoot_walk *w, const shoot_point *b, const double *y,
+                                int *negative)
+{
+    *negative = 0;
+    if (!w->potential) {
+        return true;
+    }
+    *negative = shoot_count(&w->p->c, b->z[w->p->n], shoot_get_pose(y));
+    const int change = abs(*negative - w->negative);
+    return change == (w->at.determinant * b->determinant < 0 ? 1 : 0);
+}
+
+// Two zeros of the determinant may hide in a step h: the parabola through it and the point before
+// would come close to zero inside.
+static inline bool shoot_hides(const shoot_walk *w, const shoot_point *b, double h)
+{
+    const double shortest = 1e-4;
+    if (w->last == 0 || h < shortest) {
+        return false;
+    }
+    const double at = w->at.determinant, f = (b->determinant - at) / h;
+    const double g = (at - w->before.determinant) / w->last;
+    const double bend = (f - g) / (h + w->last), slope = f - bend * h;
+    const double t = -slope / (2 * bend);
+    return at * b->determinant > 0 && t > 0 && t < h &&
+           (at + t * (slope + t * bend)) / at < 0.25 * fmin(1, b->determinant / at);
+}
+
 // whether the step to b may be kept: short enough to see all that lies on it
 static inline bool shoot_keeps(const shoot_walk *w, const shoot_point *b)
 {
@@ -116,61 +149,95 @@ static inline bool shoot_keeps(const shoot_walk *w, const shoot_point *b)
     const double turn = acos(fmin(1, shoot_dot(n + 1, w->at.tangent, b->tangent)));
     const bool limit = w->at.tangent[n] * b->tangent[n] < 0;
     const bool odd = w->at.determinant * b->determinant < 0;
-    return turn <= w->p->bend && shoot_monotone(n, &w->at, b) && (!limit || odd);
+    // it comes down to zero in several steps, from 1 at rest
+    const double most = fmax(fmax(fabs(w->at.determinant), fabs(b->determinant)), 0.02);
+    const bool calm = fabs(w->at.determinant - b->determinant) <= 0.35 * most;
+    return turn <= w->p->bend && calm && shoot_monotone(n, &w->at, b) && (!limit || odd);
+}
+
+// The next point and whether it is the end; short steps until nothing on the way is missed. Two
+// critical points at once, as those of a round column, stay together however short the step.
+static inline bool shoot_step_on(shoot_walk *w, shoot_point *b, double *h, bool *landed, int *count)
+{
+    const int n = w->p->n;
+    const double shortest = 1e-9, together = 1e-5;
+    shoot_point end;
+    for (*h = w->step; *h > shortest; *h /= 2) {
+        if (!shoot_ahead(w, *h, b) || !shoot_keeps(w, b) || shoot_hides(w, b, *h)) {
+            continue;
+        }
+        *landed = w->at.z[n] < 1 && b->z[n] >= 1;
+        if (*landed) {
+            if (!shoot_land(w, b, &end) || !shoot_keeps(w, &end)) {
+                continue;
+            }
+            *b = end;
+        }
+        if (shoot_counts(w, b, w->y, count) || *h < together) {
+            return true;
+        }
+    }
+    return false;
+}
+
+// what lies between here and b; false: no convergence
+static inline bool shoot_meet(shoot_walk *w, const shoot_point *b, int count, shoot_answer *out,
+                              shoot_point *limit)
+{
+    const int n = w->p->n;
+    shoot_point critical;
+    double chord = 0;
+    if (w->at.determinant * b->determinant > 0) {
+        if (w->potential && count != w->negative) {
+            shoot_tell(out, CRITICAL_BIFURCATION, b->z[n]);
+        }
+        return true;
+    }
+    const int kind = w->at.tangent[n] * b->tangent[n] < 0 ? CRITICAL_LIMIT : CRITICAL_BIFURCATION;
+    for (int i = 0; i <= n; i++) {
+        chord += (b->z[i] - w->at.z[i]) * w->at.tangent[i];
+    }
+    if (!shoot_locate(w, kind, chord, b, &critical)) {
+        return false;
+    }
+    shoot_tell(out, kind, critical.z[n]);
+    if (kind == CRITICAL_LIMIT) {
+        *limit = critical;
+    }
+    return true;
 }
 
 // true: go on; false: the walk ends, out says how
 static inline bool shoot_walk_on(shoot_walk *w, bool past, shoot_answer *out)
 {
     const int n = w->p->n;
-    const double shortest = 1e-9;
-    shoot_point b, critical;
-    double h = w->step;
+    shoot_point b, limit = {0};
+    double h = 0;
     bool landed = false;
-    for (;; h /= 2) {
-        if (h < shortest) {
-            return false;
-        }
-        if (!shoot_ahead(w, h, &b) || !shoot_keeps(w, &b)) {
-            continue;
-        }
-        landed = w->at.z[n] < 1 && b.z[n] >= 1;
-        shoot_point end;
-        if (!landed) {
-            break;
-        }
-        if (shoot_land(w, &b, &end) && shoot_keeps(w, &end)) {
-            b = end;
-            break;
-        }
+    int count = 0;
+    if (!shoot_step_on(w, &b, &h, &landed, &count)) {
+        return false;
     }
     const double turn = acos(fmin(1, shoot_dot(n + 1, w->at.tangent, b.tangent)));
-    if (w->at.determinant * b.determinant < 0) {
-        const int kind =
-            w->at.tangent[n] * b.tangent[n] < 0 ? CRITICAL_LIMIT : CRITICAL_BIFURCATION;
-        double chord = 0;
-        for (int i = 0; i <= n; i++) {
-            chord += (b.z[i] - w->at.z[i]) * w->at.tangent[i];
-        }
-        if (!shoot_locate(w, kind, chord, &b, &critical)) {
-            return false;
-        }
-        shoot_tell(out, kind, critical.z[n]);
-        if (kind == CRITICAL_LIMIT && !past) {
-            out->fraction = critical.z[n];
-            out->solved = true;
-            w->at = critical;
-            return false;
-        }
+    if (!shoot_meet(w, &b, count, out, &limit)) {
+        return false;
+    }
+    if (limit.z[n] > 0 && !past) {
+        out->fraction = limit.z[n];
+        out->solved = true;
+        w->at = limit;
+        return false;
     }
     w->before = w->at;
     w->last = h;
     w->at = b;
+    w->negative = count;
     w->step = fmin(w->p->longest, h * fmin(2, fmax(0.5, 0.6 * w->p->bend / fmax(turn, 1e-9))));
     out->points++;
     if (landed) {
         out->solved = true;
         out->fraction = 1;
+        out->negative = w->potential ? count : -1;
     }
     return !landed && out->points < 5000;
 }
@@ -209,6 +276,7 @@ static inline bool shoot_polish(shoot_path *p, double *z, shoot_answer *out)
     p->close = 1e-11;
     across[p->n] = 1;
     if (p->n == 0) {
+        out->negative = 0;
         return shoot_unloaded(p, out);
     }
     if (!shoot_correct(p, across, across, z, &end, y)) {
@@ -225,9 +293,9 @@ static inline bool shoot_polish(shoot_path *p, double *z, shoot_answer *out)
 static inline shoot_answer shoot_solve(shooting *sh, shooting *fine, const rod_request *rq,
                                        double care)
 {
-    shoot_answer out = {0};
+    shoot_answer out = {.negative = -1};
     shoot_path p = shoot_path_make(sh, rq), q = shoot_path_make(fine, rq);
-    shoot_walk w = {.p = &p, .step = 0.03 / care};
+    shoot_walk w = {.p = &p, .step = 0.03 / care, .potential = shoot_has_potential(&p.c)};
     p.bend /= care;
     p.longest /= care;
     if (p.n > 0) {

@@ -40,6 +40,7 @@ typedef struct shoot_step {
     shoot_node node[SHOOT_NODES];
     double strain[SHOOT_STAGES][6];  // the last local answers: where the next Newton begins
     int npoint, point[SHOOT_POINTS]; // loads at the right end
+    int stretch;                     // steps of one stretch are equal, and all is smooth on it
 } shoot_step;
 
 typedef struct shooting {
@@ -224,6 +225,7 @@ static inline status shoot_make(const rod_spec *spec, int nstep, shooting *out)
         const int m = part > 1 ? (int)ceil(part - 1e-6) : 1;
         for (int k = 0; k < m; k++) {
             const double h = (s[i] - s[i - 1]) / m;
+            sh.step[sh.nstep].stretch = i;
             shoot_step_make(spec, s[i - 1] + k * h, h, &sh.step[sh.nstep++]);
         }
     }
