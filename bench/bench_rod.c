@@ -1,173 +1,206 @@
 // bench/bench_rod.c
-// Time of one rod solve against the true error of its tip: the helical prototype (classical
-// section, nu = 0.45) under 0.98 N, its section from closed forms. Needs rodsolver and base only.
-#include "bench/bench.h"
-#include "rodsolver/rod.h"
+// Time of one rod solve against the true error of its tip.
+#include "bench/rod_cases.h"
 
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <time.h>
+enum { REFERENCE_PANELS = 384 }; // error below 1e-13 of the length
 
-enum { REPEATS = 4001, NODES = 25 };
-
-static const double pi = 3.14159265358979323846;
-static const double length = 0.12, outer = 4e-3, inner = 3.2e-3, soft = 0.66e6, stiff = 15.93e6;
-static const double shear = 1 / (2 * 1.45); // G / E
-static const double reference_tolerance = 1e-13;
-static const double target = 20; // [us] of one solve of helical_nc at 1e-6 m
-
-// classical K of the annulus with a stiff sector of this width about +x
-static mat6 stiffness(double width)
-{
-    const double area = (pow(outer, 2) - pow(inner, 2)) / 2,
-                 first = (pow(outer, 3) - pow(inner, 3)) / 3;
-    const double second = (pow(outer, 4) - pow(inner, 4)) / 4;
-    const double xx = (width + sin(width)) / 2, yy = (width - sin(width)) / 2;
-    const double EA = area * (soft * (2 * pi - width) + stiff * width);
-    const double x = first * 2 * sin(width / 2) * (stiff - soft) / EA;
-    const double EIy = second * (soft * (pi - xx) + stiff * xx) - EA * x * x;
-    const double EIx = second * (soft * (pi - yy) + stiff * yy);
-    const double diagonal[6] = {shear * EA, shear * EA, EA, EIx, EIy, shear * (EIx + EIy)};
-    mat6 K = {0};
-    for (int i = 0; i < 6; i++) {
-        K.a[i][i] = diagonal[i];
-    }
-    return beam_law_move(K, -x, 0, 0);
-}
-
-static status helical_law(law_along *out)
-{
-    status st = OK;
-    TRY(law_along_make(length, 1, NODES, out));
-    for (int i = 0; i < NODES; i++) {
-        const double t = law_along_node(out, 0, i) / length;
-        out->law[i].K = stiffness(pi / 4 - pi / 8 * t);
-        out->turn[i] = pi * t;
-    }
-
-done:
-    return st;
-}
-
-static double microseconds(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return 1e6 * (double)t.tv_sec + 1e-3 * (double)t.tv_nsec;
-}
-
-static int compare(const void *a, const void *b)
-{
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
-static status median_time(rod_state *r, const double *tension, rod_solution *out, double *median)
-{
-    status st = OK;
-    static double time[REPEATS];
-    for (int i = 0; i < REPEATS; i++) {
-        const double start = microseconds();
-        TRY(rod_solve(r, &(rod_request){.tension = tension, .cold = true}, out));
-        time[i] = microseconds() - start;
-    }
-    qsort(time, REPEATS, sizeof *time, compare);
-    *median = time[REPEATS / 2];
-
-done:
-    return st;
-}
+static const rod_case_at helical_one = {"helical, 1 tendon", helical_law, 1, false, {0.98}};
+static const rod_case_at straight_one = {
+    "homogeneous, 1 tendon", homogeneous_law, 1, false, {0.98}};
+static const rod_case_at cases[] = {
+    {"homogeneous, 3 tendons", homogeneous_law, 3, false, {0.98, 0.49, 0.2}},
+    {"helical, 2 tendons", helical_law, 2, false, {0.98, 0.49}},
+    {"helical, 3 tendons", helical_law, 3, false, {0.98, 0.49, 0.2}},
+    {"helical, 2 turning tendons", helical_law, 2, true, {0.98, 0.49}},
+    {"helical, 3 turning tendons", helical_law, 3, true, {0.98, 0.49, 0.2}},
+    {"helical, 20 turning tendons", helical_law, 20, true, {0.98, 0.49, 0.2}},
+    {"helical, 200 turning tendons", helical_law, 200, true, {0.98, 0.49, 0.2}},
+};
 
 typedef struct figure {
-    double time, error, estimate; // [us, m, m]
+    quartiles cold, warm;   // [us]
+    double error, estimate; // [m]
     int panels, steps;
 } figure;
 
-static status solve_once(const law_along *law, int ntendon, const double *tension, double tolerance,
-                         rod **r, rod_state **state, rod_solution *out)
+static status reference_tip(const rod_case_at *c, vec3 *tip)
 {
     status st = OK;
-    const tendon_spec tendon[2] = {
-        {.name = "1", .radius = field_constant(3.6e-3), .angle = field_constant(pi / 2)},
-        {.name = "2", .radius = field_constant(3.6e-3), .angle = field_constant(-pi / 6)}};
-    const rod_options options = {.frame = FRAME_GC, .tolerance = tolerance};
-    const rod_spec spec = {.law = law, .ntendon = ntendon, .tendons = tendon};
-    TRY(rod_make(&spec, &options, r));
-    TRY(rod_state_make(*r, state));
-    TRY(rod_solve(*state, &(rod_request){.tension = tension, .cold = true}, out));
+    static bench_rod b;
+    rod_solution out = {0};
+    b = (bench_rod){0};
+    TRY(bench_rod_make(c, 0, REFERENCE_PANELS, &b));
+    TRY(rod_solve(b.state, &(rod_request){.tension = b.tension, .cold = true}, &out));
+    *tip = out.tip.p;
 
 done:
+    bench_rod_free(&b);
     return st;
 }
 
-static status measure(const law_along *law, int ntendon, const double *tension, double tolerance,
-                      vec3 exact, figure *out)
+static status measure(const rod_case_at *c, double tolerance, vec3 exact, figure *f)
 {
     status st = OK;
-    rod *r = NULL;
-    rod_state *state = NULL;
-    rod_solution solution = {0};
-    TRY(solve_once(law, ntendon, tension, tolerance, &r, &state, &solution));
-    TRY(median_time(state, tension, &solution, &out->time));
-    out->error = vec3_norm(vec3_sub(solution.tip.p, exact));
-    out->estimate = solution.relative_error * length;
-    out->panels = rod_panel_count(state);
-    out->steps = solution.iterations;
+    static bench_rod b;
+    rod_solution out = {0};
+    const int repeats = c->ntendon > 3 ? 2 : 20;
+    b = (bench_rod){0};
+    TRY(bench_rod_make(c, tolerance, 0, &b));
+    rod_request request = {.tension = b.tension, .cold = true};
+    TRY(rod_solve(b.state, &request, &out));
+    f->error = vec3_norm(vec3_sub(out.tip.p, exact));
+    f->estimate = out.relative_error * length;
+    f->panels = rod_panel_count(b.state);
+    f->steps = out.iterations;
+    TRY(bench_times(b.state, &request, c->ntendon, repeats, &f->cold));
+    request.cold = false;
+    TRY(bench_times(b.state, &request, c->ntendon, repeats, &f->warm));
 
 done:
-    rod_state_free(state);
-    rod_free(r);
+    bench_rod_free(&b);
     return st;
 }
 
-// the quickest of the tolerances whose true error is at most 1e-6 m
-static status table(const law_along *law, int ntendon, const double *tension, double *quickest)
+// time against error; with the scatter from the first to the third quartile
+static status table(const rod_case_at *c)
 {
     status st = OK;
-    rod *r = NULL;
-    rod_state *state = NULL;
-    rod_solution exact = {0};
-    *quickest = HUGE_VAL;
-    TRY(solve_once(law, ntendon, tension, reference_tolerance, &r, &state, &exact));
-    printf("%d tendon%s\n%10s %7s %13s %13s %7s %9s\n", ntendon, ntendon > 1 ? "s" : "",
-           "tolerance", "panels", "tip error m", "estimate m", "steps", "time us");
-    for (double tolerance = 1e-3; tolerance > 1e-11; tolerance /= 10) {
+    vec3 exact;
+    TRY(reference_tip(c, &exact));
+    printf("\n%s\n%10s %7s %11s %11s %6s %24s %24s\n", c->name, "tolerance", "panels",
+           "tip error m", "estimate m", "steps", "cold us", "warm us");
+    for (double tolerance = 1e-4; tolerance > 5e-12; tolerance /= 10) {
         figure f = {0};
-        TRY(measure(law, ntendon, tension, tolerance, exact.tip.p, &f));
-        printf("%10.0e %7d %13.2e %13.2e %7d %9.2f\n", tolerance, f.panels, f.error, f.estimate,
-               f.steps, f.time);
-        bench_point(ntendon > 1 ? "two tendons" : "one tendon", 1e-3 * f.time, f.error / length);
-        if (f.error <= 1e-6 && f.time < *quickest) {
-            *quickest = f.time;
-        }
+        TRY(measure(c, tolerance, exact, &f));
+        printf("%10.0e %7d %11.2e %11.2e %6d %8.2f (%6.2f-%6.2f) %8.2f (%6.2f-%6.2f)\n", tolerance,
+               f.panels, f.error, f.estimate, f.steps, f.cold.median, f.cold.low, f.cold.high,
+               f.warm.median, f.warm.low, f.warm.high);
+        bench_point(c->name, 1e-3 * f.cold.median, f.error / length);
     }
 
 done:
-    rod_state_free(state);
-    rod_free(r);
+    return st;
+}
+
+// median of a cold solve that is asked for this error, NaN where it does not keep it
+static status time_for(const rod_case_at *c, double error, double *time)
+{
+    status st = OK;
+    vec3 exact;
+    figure f = {0};
+    TRY(reference_tip(c, &exact));
+    TRY(measure(c, error / length, exact, &f));
+    *time = f.error <= error ? f.cold.median : NAN;
+
+done:
+    return st;
+}
+
+// --- batches
+
+enum { ROWS = 10000 };
+
+// time per row and thread of 10,000 tensions from 0 to 0.98 N
+static status time_batch(const rod_case_at *c, double error, int nthread, double *time)
+{
+    status st = OK;
+    static bench_rod b;
+    double *tension = NULL;
+    pose *tip = NULL;
+    int failed = 0;
+    b = (bench_rod){0};
+    *time = NAN;
+    tension = malloc(sizeof *tension * (size_t)ROWS * (size_t)c->ntendon);
+    tip = malloc(sizeof *tip * ROWS);
+    if (!tension || !tip) {
+        TRY(status_fail(ERR_RESOURCE, "no memory for %d rows", ROWS));
+    }
+    TRY(bench_rod_make(c, error / length, 0, &b));
+    for (int i = 0; i < ROWS * c->ntendon; i++) {
+        const double share = (double)(i / c->ntendon + 1) / ROWS;
+        tension[i] = share * b.tension[i % c->ntendon];
+    }
+    for (int k = 0; k < 7; k++) {
+        const double start = microseconds();
+        TRY(rod_batch(b.rod, nthread, ROWS, tension, NULL, tip, NULL, &failed));
+        *time = fmin(*time, (microseconds() - start) * nthread / ROWS);
+    }
+    if (failed > 0) {
+        *time = NAN;
+    }
+
+done:
+    bench_rod_free(&b);
+    free(tension);
+    free(tip);
+    return st;
+}
+
+static status batches(double *per_row)
+{
+    status st = OK;
+    printf("\nbatch of %d rows at 1e-6 m, best of 7: us per row and thread\n", ROWS);
+    for (int nthread = 1; nthread <= 2; nthread++) {
+        double one = 0, three = 0;
+        TRY(time_batch(&helical_one, 1e-6, nthread, &one));
+        TRY(time_batch(&cases[2], 1e-6, nthread, &three));
+        printf("%d thread%s  %s %.2f, %s %.2f\n", nthread, nthread > 1 ? "s" : " ",
+               helical_one.name, one, cases[2].name, three);
+        *per_row = nthread == 1 ? one : *per_row;
+    }
+
+done:
+    return st;
+}
+
+static status plan_size(double *kilobytes)
+{
+    status st = OK;
+    static bench_rod b;
+    b = (bench_rod){0};
+    TRY(bench_rod_make(&cases[2], 1e-6, 22, &b)); // 66 stations
+    *kilobytes = 1e-3 * (double)rod_plan_bytes(b.rod, 64);
+
+done:
+    bench_rod_free(&b);
+    return st;
+}
+
+static status unloaded(int *missed)
+{
+    status st = OK;
+    double rough = 0, fine = 0, straight = 0, row = 0, size = 0;
+    TRY(table(&straight_one));
+    TRY(table(&helical_one));
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        TRY(table(&cases[i]));
+    }
+    TRY(batches(&row));
+    TRY(time_for(&helical_one, 1e-6, &rough));
+    TRY(time_for(&helical_one, 1e-8, &fine));
+    TRY(time_for(&straight_one, 1e-8, &straight));
+    TRY(plan_size(&size));
+    printf("\n");
+    *missed |= bench_target("helical_nc at 0.98 N to 1e-6 m, cold, median", rough, 5, "us");
+    *missed |= bench_target("helical_nc at 0.98 N to 1e-8 m, cold, median", fine, 10, "us");
+    *missed |= bench_target("homogeneous straight rod, cold, median", straight, 0.5, "us");
+    *missed |=
+        bench_target("batch on helical_nc at 1e-6 m, per row and core", row, 1e6 / 150000, "us");
+    *missed |= bench_target("plan of 66 stations and 3 tendons", size, 100, "kB");
+
+done:
     return st;
 }
 
 int main(void)
 {
     status st = OK;
-    law_along law = {0};
-    const double one[1] = {0.98}, two[2] = {0.98, 0.49};
-    double quickest_one = 0, quickest_two = 0;
     int missed = 0;
-    TRY(helical_law(&law));
-    TRY(table(&law, 2, two, &quickest_two));
-    TRY(table(&law, 1, one, &quickest_one));
-    printf("two tendons: %.2f us at <= 1e-6 m true tip error\n", quickest_two);
-    // not reached where no tolerance got below 1e-6 m either
-    missed = bench_target("one solve of helical_nc at 0.98 N to 1e-6 m, median", quickest_one,
-                          target, "us");
+    TRY(unloaded(&missed));
 
 done:
     if (st != OK) {
         fprintf(stderr, "bench_rod: %s\n", status_message());
     }
-    law_along_free(&law);
     return st != OK || missed;
 }

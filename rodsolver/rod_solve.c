@@ -17,6 +17,7 @@ status solve_on_plan(rod_state *state, const plan *p, rod_solution *out)
     out->iterations = 0;
     state->solved = NULL;
     TRY(stations_solve(state, p, &out->iterations));
+    state->warm = NULL;
     out->relative_error = chain_pairs(state, p);
     state->solved = p;
     out->tip = state->pair_pose[p->npair];

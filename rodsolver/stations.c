@@ -122,7 +122,8 @@ static status solve_hard(rod_state *state, const plan *p, int npulling, int i, v
     return OK;
 }
 
-// several tendons pull on eight stations; the strains come in as a guess
+// several tendons pull on eight stations; from the last answer, or from the strains of the stations
+// before
 static status solve_several(rod_state *state, const plan *p, int npulling, int i, int count,
                             lanes e[6], int *steps)
 {
@@ -133,6 +134,9 @@ static status solve_several(rod_state *state, const plan *p, int npulling, int i
     for (int c = 0; c < 6; c++) {
         lanes_load(p->rest + (size_t)c * (size_t)p->nstation + i, &rest[c]);
         xi[c] = rest[c] + e[c];
+        if (state->warm == p) {
+            lanes_load(state->xi + (size_t)c * (size_t)p->nstation + i, &xi[c]);
+        }
     }
     *steps += local_solve_lanes(&q, xi, &unsolved) * count;
     for (int k = 0; unsolved && k < count; k++) {

@@ -2,6 +2,8 @@
 #include "rodsolver/local_problem.h"
 #include "tests/unit/rodsolver/prototypes.h"
 
+#include <string.h>
+
 enum { MOST_TENDONS = 200 };
 
 static double uniform(unsigned *state)
@@ -184,8 +186,123 @@ static void newton_solves_tendons_that_are_nearly_eaten(void)
     }
 }
 
+// --- eight stations at once
+
+typedef struct eight {
+    mat6 K[LANES];
+    local_problem one[LANES];
+    local_tendon tendon[LANES][MOST_TENDONS];
+    double K_row[21 * LANES], rest[6 * LANES], place[MOST_TENDONS][4 * LANES];
+    lane_tendon lane[MOST_TENDONS];
+} eight;
+
+// eight random stations of one rod: the same tensions everywhere
+static lane_problem random_eight(unsigned *state, int ntendon, double scale, eight *e)
+{
+    for (int k = 0; k < LANES; k++) {
+        random_problem(state, ntendon, &e->K[k], &e->one[k]);
+        memcpy(e->tendon[k], e->one[k].tendon, (size_t)ntendon * sizeof *e->tendon[k]);
+        e->one[k].tendon = e->tendon[k];
+        for (int i = 0, entry = 0; i < 6; i++) {
+            e->rest[LANES * i + k] = e->one[k].rest.a[i];
+            for (int j = 0; j <= i; j++) {
+                e->K_row[LANES * entry++ + k] = e->K[k].a[i][j];
+            }
+        }
+        for (int i = 0; i < ntendon; i++) {
+            local_tendon *t = &e->tendon[k][i];
+            t->tension = scale * e->tendon[0][i].tension / (k == 0 ? 1 : scale);
+            const double place[4] = {t->place.x, t->place.y, t->place.dx, t->place.dy};
+            for (int j = 0; j < 4; j++) {
+                e->place[i][LANES * j + k] = place[j];
+            }
+            e->lane[i] = (lane_tendon){e->place[i], LANES, t->tension};
+        }
+    }
+    return (lane_problem){.K = e->K_row,
+                          .rest = e->rest,
+                          .stride = LANES,
+                          .count = LANES,
+                          .ntendon = ntendon,
+                          .tendon = e->lane};
+}
+
+static vec6 lane_of(const lanes xi[6], int k)
+{
+    vec6 one;
+    for (int c = 0; c < 6; c++) {
+        one.a[c] = xi[c][k];
+    }
+    return one;
+}
+
+static void lanes_balance_the_wrenches(void)
+{
+    static eight e;
+    const int count[6] = {2, 3, 4, 7, 20, 200};
+    unsigned state = 23;
+    for (int n = 0; n < 60; n++) {
+        const int ntendon = count[n % 6];
+        const lane_problem p = random_eight(&state, ntendon, 1.5 / ntendon, &e);
+        lanes xi[6], energy, misfit;
+        unsigned unsolved = 0;
+        for (int c = 0; c < 6; c++) {
+            memcpy(&xi[c], e.rest + LANES * c, sizeof xi[c]);
+        }
+        local_check_lanes(&p, xi, &energy, &misfit);
+        for (int k = 0; k < LANES; k++) {
+            CHECK(energy[k] == 0 && misfit[k] > 1e-8); // at rest nothing is balanced
+        }
+        CHECK(local_solve_lanes(&p, xi, &unsolved) <= 9);
+        CHECK(unsolved == 0);
+        local_check_lanes(&p, xi, &energy, &misfit);
+        for (int k = 0; k < LANES; k++) {
+            const vec6 found = lane_of(xi, k);
+            vec6 wanted = e.one[k].rest;
+            int steps = 0, which = 0;
+            CHECK(imbalance(&e.one[k], found) < 1e-12);
+            CHECK(local_solve(&e.one[k], &wanted, &steps, &which) == LOCAL_SOLVED);
+            for (int c = 0; c < 6; c++) {
+                CHECK_WITHIN(found.a[c], wanted.a[c], 1e-11 * (c < 3 ? 1 : 300));
+            }
+            const vec6 strain = vec6_sub(found, e.one[k].rest);
+            CHECK_NEAR(energy[k], vec6_dot(strain, mat6_mul_vec(e.K[k], strain)), 1e-12);
+            CHECK(misfit[k] <= 1e-26 * energy[k]);
+        }
+    }
+}
+
+// a station where a tendon is eaten is left to local_solve, and does not disturb the others
+static void lanes_leave_hard_stations_alone(void)
+{
+    static eight e;
+    unsigned state = 29, unsolved = 0;
+    lane_problem p = random_eight(&state, 2, 0.5, &e);
+    for (int i = 0; i < 21; i++) {
+        e.K_row[LANES * i + 3] *= 0.03; // far too soft for these tensions
+    }
+    lanes xi[6];
+    for (int c = 0; c < 6; c++) {
+        memcpy(&xi[c], e.rest + LANES * c, sizeof xi[c]);
+    }
+    (void)local_solve_lanes(&p, xi, &unsolved);
+    CHECK(unsolved == 1u << 3);
+    for (int k = 0; k < LANES; k++) {
+        CHECK(k == 3 || imbalance(&e.one[k], lane_of(xi, k)) < 1e-12);
+    }
+    // idle lanes are not waited for
+    p.count = 3;
+    for (int c = 0; c < 6; c++) {
+        memcpy(&xi[c], e.rest + LANES * c, sizeof xi[c]);
+    }
+    CHECK(local_solve_lanes(&p, xi, &unsolved) <= 9);
+    CHECK(unsolved == 0);
+}
+
 int main(void)
 {
+    lanes_balance_the_wrenches();
+    lanes_leave_hard_stations_alone();
     newton_balances_the_wrenches();
     newton_finds_the_same_minimum_from_anywhere();
     secular_equation_agrees_with_newton();

@@ -1,6 +1,6 @@
 // tests/unit/rodsolver/test_rod_allocation.c
-// rod_solve, rod_shape and rod_strain_at allocate nothing: every allocation of this program is
-// counted.
+// rod_solve, rod_shape, rod_strain_at and the rows of rod_batch allocate nothing: every allocation
+// of this program is counted.
 #include "tests/unit/rodsolver/prototypes.h"
 
 #include <stddef.h>
@@ -90,9 +90,72 @@ static void solving_allocates_nothing(int frame)
     law_along_free(&law);
 }
 
+// twenty tendons, then the same rod under a load, from the last answer and from rest
+static void many_tendons_and_loads_allocate_nothing(void)
+{
+    enum { MANY = 20 };
+    const prototype p = helical_nc();
+    law_along law = {0};
+    prototype_law(&p, &law);
+    tendon_spec tendon[MANY];
+    double tension[MANY];
+    for (int i = 0; i < MANY; i++) {
+        tendon[i] = straight_tendon("of many", 3.6e-3, 0.3 * i);
+        tension[i] = 0.01 * i;
+    }
+    tendon[3].angle = (field){.at = quarter_turn};
+    const made_rod r = make_rod(&law, MANY, tendon, (rod_options){.tolerance = 1e-6});
+    for (int i = 0; i < 6; i++) {
+        const rod_request request = {.tension = tension,
+                                     .tip_space = {{i % 3 == 2 ? 0.01 : 0}},
+                                     .stability = i == 2,
+                                     .cold = i < 3};
+        rod_solution out = {0};
+        vec6 xi;
+        const long before = allocations;
+        const status solved = rod_solve(r.state, &request, &out);
+        const status strained = rod_strain_at(r.state, 0.03, &xi);
+        CHECK(allocations == before);
+        CHECK_OK(solved);
+        CHECK_OK(strained);
+    }
+    free_rod(r);
+    law_along_free(&law);
+}
+
+// a batch makes its states: the same for ten rows and for a thousand
+static void rows_of_a_batch_allocate_nothing(void)
+{
+    enum { ROWS = 1000 };
+    const prototype p = helical_nc();
+    law_along law = {0};
+    prototype_law(&p, &law);
+    const tendon_spec tendon[2] = {straight_tendon("a", 3.6e-3, 0),
+                                   straight_tendon("b", 3.6e-3, 2)};
+    static double tension[2 * ROWS];
+    static pose tip[ROWS];
+    for (int i = 0; i < 2 * ROWS; i++) {
+        tension[i] = 1e-3 * (i % 700);
+    }
+    const made_rod r = make_rod(&law, 2, tendon, (rod_options){.tolerance = 1e-6});
+    long taken[2];
+    int failed = 0;
+    for (int k = 0; k < 2; k++) {
+        const long before = allocations;
+        CHECK_OK(rod_batch(r.rod, 1, k == 0 ? 10 : ROWS, tension, NULL, tip, NULL, &failed));
+        taken[k] = allocations - before;
+        CHECK(failed == 0);
+    }
+    CHECK(taken[0] > 0 && taken[0] == taken[1]);
+    free_rod(r);
+    law_along_free(&law);
+}
+
 int main(void)
 {
     start_counting();
+    many_tendons_and_loads_allocate_nothing();
+    rows_of_a_batch_allocate_nothing();
     solving_allocates_nothing(FRAME_GC);
     solving_allocates_nothing(FRAME_NC);
     return test_failures != 0;
