@@ -396,7 +396,6 @@ static void load_answer(equilibrium *e, const rod_state *state)
     for (int i = 0; i < e->rod->ntendon; i++) {
         const tendon_spec *t = &e->rod->spec[i];
         const double give = t->EA > 0 ? (e->rest_length[i] + t->outside) / t->EA : 0;
-        e->from.tension[i] = e->tension[i];
         if (e->pulled[i] && isnan(e->from.pull[i])) {
             e->from.pull[i] = e->rest_length[i] + give * e->tension[i] - e->length[i];
             e->slack[i] = false;
@@ -511,6 +510,8 @@ status equilibrium_solve(rod_state *state, const rod_request *request, rod_solut
     const bool warm = state->solved && !request->cold;
     if (warm) {
         demand_copy(e->rod, &e->to, &e->from);
+        // those that were found for pulled lengths, too
+        memcpy(e->from.tension, e->tension, (size_t)e->rod->ntendon * sizeof *e->tension);
     }
     demand_of(state, request, &e->to);
     if (!warm) {

@@ -1,6 +1,6 @@
 // tests/unit/rodsolver/test_rod_allocation.c
-// rod_solve, rod_shape, rod_strain_at and the rows of rod_batch allocate nothing: every allocation
-// of this program is counted.
+// rod_solve, what is asked after it and the rows of rod_batch allocate nothing: every allocation of
+// this program is counted.
 #include "tests/unit/rodsolver/prototypes.h"
 
 #include <stddef.h>
@@ -151,6 +151,67 @@ static void rows_of_a_batch_allocate_nothing(void)
     law_along_free(&law);
 }
 
+// every kind of load, friction and a pulled length; warm and cold, past limit points, with all
+// that may be asked afterwards
+static void loaded_rods_allocate_nothing(int frame)
+{
+    enum { POINTS = 13, TENDONS = 2, LOADS = 3 };
+    const prototype p = helical_nc();
+    law_along law = {0};
+    prototype_law(&p, &law);
+    for (int i = 0; i < law.npanel * law.nnode; i++) {
+        law.law[i].mass = 0.02;
+    }
+    tendon_spec tendon[TENDONS] = {straight_tendon("rubbing", 3.6e-3, 0),
+                                   straight_tendon("pulled", 3.6e-3, 2)};
+    tendon[0].friction = 0.1;
+    tendon[1].EA = 200;
+    const point_load tip = {.s = 0.12, .force = {0, 5e-3, 0}};
+    const line_load wind = {.from = 0.02, .force = {field_constant(0.02)}};
+    const rod_spec spec = {.law = &law,
+                           .ntendon = TENDONS,
+                           .npoint_load = 1,
+                           .nline_load = 1,
+                           .tendons = tendon,
+                           .point_loads = &tip,
+                           .line_loads = &wind,
+                           .gravity = {0, 0, -9.81}};
+    rod *r = NULL;
+    rod_state *state = NULL;
+    CHECK_OK(rod_make(&spec, &(rod_options){.frame = frame, .tolerance = 1e-7}, &r));
+    CHECK_OK(rod_state_make(r, &state));
+
+    double tension[TENDONS] = {0.3, 0}, pull[TENDONS] = {NAN, 1e-3}, s[POINTS], found[TENDONS];
+    double slope[TENDONS * TENDONS];
+    pose shape[POINTS];
+    vec6 column[TENDONS], by_pull[TENDONS], by_load[LOADS], wrench;
+    mat6 space, body, base;
+    const rod_derivatives all = {column, by_pull, by_load, &space, &body, &base, slope};
+    rod_request request = {.tension = tension, .tip_body = {{1e-3, 0, 0, 0, 0, 1e-6}}};
+    for (int i = 0; i < 6; i++) {
+        rod_solution out = {.tension = found};
+        request.cold = i == 0 || i == 4;
+        request.pull = i % 2 ? pull : NULL;
+        request.stability = i > 2;
+        request.past = i > 3;
+        tension[0] += 0.02;
+        const long before = allocations;
+        const status solved = rod_solve(state, &request, &out);
+        const status derived = rod_derive(state, 0.1, &all);
+        const status told = rod_wrench_at(state, 0.03, &wrench, found);
+        const status shaped = rod_shape(state, POINTS, s, shape);
+        const long taken = allocations - before;
+        CHECK_OK(solved);
+        CHECK_OK(derived);
+        CHECK_OK(told);
+        CHECK_OK(shaped);
+        CHECK(taken == 0);
+    }
+    rod_state_free(state);
+    rod_free(r);
+    law_along_free(&law);
+}
+
 int main(void)
 {
     start_counting();
@@ -158,5 +219,7 @@ int main(void)
     rows_of_a_batch_allocate_nothing();
     solving_allocates_nothing(FRAME_GC);
     solving_allocates_nothing(FRAME_NC);
+    loaded_rods_allocate_nothing(FRAME_GC);
+    loaded_rods_allocate_nothing(FRAME_NC);
     return test_failures != 0;
 }
