@@ -77,12 +77,12 @@ done
 expect 4 "$program" rod "$work/strip.yaml" --json --quiet --out "$work/snapped"
 cp "$work/out" "$work/snap.json"
 one_line
-err 'strip.yaml:16:17: error: 1 of 4 solutions ends at a limit point, where the rod snaps: solution 3 at 0.40753'
+err 'strip.yaml:16:17: error: 1 of 4 solutions ends at a limit point, where the rod snaps: solution 3 at 0.407523'
 err 'past_limit_points: true'
 [ -s "$work/snapped/result.hdf" ] || fail 'the result of a snapping rod is not written'
 [ -s "$work/snapped/report.html" ] || fail 'a snapping rod has no page'
 expect 4 "$program" rod "$work/strip.yaml"
-out 'solution 3: limit point at 0.40753 of its way'
+out 'solution 3: limit point at 0.407523 of its way'
 out '0.4075!'
 expect 0 "$program" rod "$work/strip.yaml" --json --set rod.past_limit_points=true
 cp "$work/out" "$work/past.json"
