@@ -76,9 +76,8 @@ typedef struct secular_station {
     double G[6][3]; // xi = xi* - tau G y, y_j = b_j / (l + tau m_j)
 } secular_station;
 
-// ERR_NUMERIC where K is not positive definite.
-status secular_prepare(const mat6 *K, const vec6 *rest, const tendon_place *r,
-                       secular_station *out);
+// F = K^-1.
+void secular_prepare(const mat6 *F, const vec6 *rest, const tendon_place *r, secular_station *out);
 
 // The tension at which this tendon alone eats its own length here: |M^-1 d_0| [N].
 double secular_critical(const secular_station *s);

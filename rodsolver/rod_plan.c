@@ -157,8 +157,21 @@ static void store_secular(const secular_station *s, size_t n, size_t i, double *
     }
 }
 
+static void fill_secular(const plan *p, const mat6 *F, int i, plan_tendon *t)
+{
+    const vec6 rest = station_gather(p->rest, p->nstation, i);
+    secular_station station;
+    secular_prepare(F, &rest, &t->place[i], &station);
+    store_secular(&station, (size_t)t->nstation, (size_t)i, t->row);
+    const double critical = secular_critical(&station);
+    if (critical < t->critical) {
+        t->critical = critical;
+        t->critical_at = p->s[i];
+    }
+}
+
 static status fill_tendon(const tendon_spec *spec, const spline *table, const plan *p,
-                          plan_tendon *t)
+                          const mat6 *F, plan_tendon *t)
 {
     status st = OK;
     routing path = {0};
@@ -188,15 +201,7 @@ static status fill_tendon(const tendon_spec *spec, const spline *table, const pl
         for (size_t j = 0; j < 4; j++) {
             t->place_row[j * n + (size_t)i] = coordinate[j];
         }
-        const vec6 rest = station_gather(p->rest, p->nstation, i);
-        secular_station station;
-        TRY(secular_prepare(&p->K[i], &rest, &t->place[i], &station));
-        store_secular(&station, n, (size_t)i, t->row);
-        const double critical = secular_critical(&station);
-        if (critical < t->critical) {
-            t->critical = critical;
-            t->critical_at = p->s[i];
-        }
+        fill_secular(p, &F[i], i, t);
     }
 
 done:
@@ -232,6 +237,22 @@ static bool same_as_first(const struct rod *r, const plan *p, int i)
     return true;
 }
 
+static status invert_laws(const plan *p, mat6 **F)
+{
+    status st = OK;
+    TRY(TAKE(*F, (size_t)p->nstation));
+    for (int i = 0; i < p->nstation; i++) {
+        if (!mat6_inverse_spd(p->K[i], &(*F)[i])) {
+            TRY(status_fail(
+                ERR_NUMERIC,
+                "rod: the stiffness of the section at s = %g m is not positive definite", p->s[i]));
+        }
+    }
+
+done:
+    return st;
+}
+
 static bool is_uniform(const struct rod *r, const plan *p)
 {
     for (int i = 0; i < p->nstation; i++) {
@@ -246,6 +267,7 @@ status plan_make(const struct rod *r, int npanel, plan *out)
 {
     status st = OK;
     plan p = {0};
+    mat6 *F = NULL; // K^-1
     for (int k = 0; k + 1 < r->nbreak; k++) {
         p.npair += pairs_in_stretch(r, k, npanel);
     }
@@ -253,8 +275,9 @@ status plan_make(const struct rod *r, int npanel, plan *out)
     TRY(take_arrays(r, &p));
     lay_stations(r, npanel, &p);
     TRY(fill_laws(r, &p));
+    TRY(invert_laws(&p, &F));
     for (int i = 0; i < r->ntendon; i++) {
-        TRY(fill_tendon(&r->spec[i], &r->path[i], &p, &p.tendon[i]));
+        TRY(fill_tendon(&r->spec[i], &r->path[i], &p, F, &p.tendon[i]));
     }
     TRY(plan_fill_loads(r, &p));
     p.uniform = is_uniform(r, &p);
@@ -262,6 +285,7 @@ status plan_make(const struct rod *r, int npanel, plan *out)
     p = (plan){0};
 
 done:
+    free(F);
     plan_free(&p, r);
     return st;
 }

@@ -42,12 +42,8 @@ static void symmetric_eigen(mat3 a, double value[3], mat3 *vectors)
     }
 }
 
-status secular_prepare(const mat6 *K, const vec6 *rest, const tendon_place *r, secular_station *out)
+void secular_prepare(const mat6 *F, const vec6 *rest, const tendon_place *r, secular_station *out)
 {
-    mat6 F;
-    if (!mat6_inverse_spd(*K, &F)) {
-        return status_fail(ERR_NUMERIC, "rod: the stiffness of a section is not positive definite");
-    }
     vec6 FA[3]; // columns of K^-1 A^T
     mat3 M, axes;
     tendon_place straight = *r;
@@ -55,7 +51,7 @@ status secular_prepare(const mat6 *K, const vec6 *rest, const tendon_place *r, s
     for (int j = 0; j < 3; j++) {
         vec3 unit = {0};
         unit.a[j] = 1;
-        FA[j] = mat6_mul_vec(F, tendon_wrench(r, unit));
+        FA[j] = mat6_mul_vec(*F, tendon_wrench(r, unit));
         const vec3 column = tendon_direction(&straight, &FA[j]);
         for (int i = 0; i < 3; i++) {
             M.a[i][j] = column.a[i];
@@ -75,7 +71,6 @@ status secular_prepare(const mat6 *K, const vec6 *rest, const tendon_place *r, s
                 FA[0].a[i] * axes.a[0][j] + FA[1].a[i] * axes.a[1][j] + FA[2].a[i] * axes.a[2][j];
         }
     }
-    return OK;
 }
 
 double secular_critical(const secular_station *s)
