@@ -166,33 +166,32 @@ static bool go_to(equilibrium *e, double from, double factor)
     return newton_correct(e, 1e-12, 12, &moved) && newton_linearize(e);
 }
 
-// with P(f) the loads' potential at factor f: energy = P(1) - int_0^1 P df, and what pulled tendons
-// are drawn out times their tension, less what they store
-double energy_work(equilibrium *e)
+// what the quadrature may leave of the balance, over the energy, before shorter parts are tried
+static const double balanced = 1e-10;
+enum { PARTS_MORE = 4, MOST_PARTS = 64 };
+
+// The way from rest in `npart` equal parts; false where it cannot be followed so.
+static bool work_in_parts(equilibrium *e, int npart, const double *x, const double *w, double *work)
 {
-    double x[NODES], w[NODES], mean = 0, drawn = 0, last = 0;
-    if (!e->conservative) {
-        return NAN;
-    }
-    demand_nothing(e->rod, &e->to, &e->from);
+    double mean = 0, drawn = 0, last = 0;
     equilibrium_start_at_rest(e, e->plan);
-    gauss_rule(NODES, x, w);
     if (!newton_linearize(e)) {
-        return NAN;
+        return false;
     }
-    for (int k = 0; k < NODES; k++) {
-        if (!go_to(e, last, x[k])) {
-            return NAN;
+    for (int k = 0; k < NODES * npart; k++) {
+        const double at = (k / NODES + x[k % NODES]) / npart, part = w[k % NODES] / npart;
+        if (!go_to(e, last, at)) {
+            return false;
         }
         balance_poses(e);
-        mean += w[k] * load_potential(e);
+        mean += part * load_potential(e);
         for (int i = 0; i < e->rod->ntendon; i++) {
-            drawn += e->pulled[i] ? w[k] * e->tension[i] * e->to.pull[i] : 0;
+            drawn += e->pulled[i] ? part * e->tension[i] * e->to.pull[i] : 0;
         }
-        last = x[k];
+        last = at;
     }
     if (!go_to(e, last, 1)) {
-        return NAN;
+        return false;
     }
     balance_poses(e);
     for (int i = 0; i < e->rod->ntendon; i++) {
@@ -200,5 +199,30 @@ double energy_work(equilibrium *e)
         const double give = t->EA > 0 ? (e->rest_length[i] + t->outside) / t->EA : 0;
         drawn -= e->pulled[i] ? give * e->tension[i] * e->tension[i] / 2 : 0;
     }
-    return load_potential(e) - mean + drawn;
+    *work = load_potential(e) - mean + drawn;
+    return true;
+}
+
+// with P(f) the loads' potential at factor f: energy = P(1) - int_0^1 P df, and what pulled tendons
+// are drawn out times their tension, less what they store. Sharp turns of the path take short
+// parts: so many that the balance holds, if that many are enough.
+double energy_work(equilibrium *e)
+{
+    double x[NODES], w[NODES], work = NAN, energy = 0, residual;
+    if (!e->conservative) {
+        return NAN;
+    }
+    demand_nothing(e->rod, &e->to, &e->from);
+    gauss_rule(NODES, x, w);
+    for (int npart = 1; npart <= MOST_PARTS; npart *= PARTS_MORE) {
+        double found;
+        if (work_in_parts(e, npart, x, w, &found)) {
+            work = found;
+            balance_check(e, &energy, &residual);
+            if (fabs(work - energy) <= balanced * fabs(energy)) {
+                break;
+            }
+        }
+    }
+    return work;
 }
