@@ -28,11 +28,14 @@ pose rod_pose_at(const rod_state *state, double s)
     for (int i = 0; i < PAIR_STATIONS; i++) {
         xi[i] = station_gather(state->xi, p->nstation, PAIR_STATIONS * pair + i);
     }
-    pose g = pose_mul(state->pair_pose[pair], lie_pair_pose((edge[1] - edge[0]) / 2, xi, t));
+    // the tip of the shape is the tip of the answer, to the last bit
+    pose g = s == edge[1]
+                 ? state->pair_pose[pair + 1]
+                 : pose_mul(state->pair_pose[pair], lie_pair_pose((edge[1] - edge[0]) / 2, xi, t));
     if (p->frame) {
         centre_frame f;
         law_along_centre_frame(r->law, s, p->frame[PAIR_STATIONS * pair + (t > 1 ? 4 : 1)].phi, &f);
-        g = pose_mul(pose_mul(r->base, g), pose_inverse(centre_frame_pose(&f)));
+        g = pose_mul(r->base, pose_mul(g, pose_inverse(centre_frame_pose(&f))));
     }
     return pose_mul(state->base, g);
 }

@@ -28,6 +28,11 @@ static void *solve_all(void *argument)
                                      .cold = i % 4 == 0};
         j->ok = rod_solve(state, &request, &j->answer[i]) == OK &&
                 rod_derive(state, 0.12, &(rod_derivatives){.tension = j->by_tension[i]}) == OK;
+        // the shape ends at the tip, to the last bit
+        double s[3];
+        pose shape[3];
+        j->ok = j->ok && rod_shape(state, 3, s, shape) == OK &&
+                memcmp(&shape[2], &j->answer[i].tip, sizeof(pose)) == 0;
         rod_solution unused = {0};
         const double bad[TENDONS] = {-1 - j->turn, 0};
         char words[40];
@@ -66,7 +71,9 @@ int main(void)
     for (int k = 0; k < 2; k++) {
         prototype_law(&p[k], &law[k]);
         const rod_spec spec = {.law = &law[k], .ntendon = TENDONS, .tendons = tendon};
-        CHECK_OK(rod_make(&spec, &(rod_options){.tolerance = 1e-6}, &r[k]));
+        CHECK_OK(rod_make(&spec,
+                          &(rod_options){.frame = k == 0 ? FRAME_NC : FRAME_GC, .tolerance = 1e-6},
+                          &r[k]));
     }
     for (int t = 0; t < THREADS; t++) {
         together[t] = alone[t] = (job){.rod = r[t % 2], .turn = t};
