@@ -387,8 +387,8 @@ static void files_of_other_programs_are_told_so(const scratch *dir)
     refuse(path.text, ERR_FILE, "foreign.hdf: not a stiffaxis result");
     make_foreign(path.text, "schema", "another/result/1");
     refuse(path.text, ERR_FILE, "foreign.hdf: not a stiffaxis result");
-    make_foreign(path.text, "schema", "stiffaxis/result/2");
-    refuse(path.text, ERR_FILE, "its schema is 'stiffaxis/result/2'");
+    make_foreign(path.text, "schema", "stiffaxis/result/3");
+    refuse(path.text, ERR_FILE, "its schema is 'stiffaxis/result/3'");
 }
 
 // every array of make_file; OK or ERR_FILE is all there may be
