@@ -174,17 +174,37 @@ static vec3 tip_of(equilibrium *e)
     return e->node_p[2 * e->plan->npair];
 }
 
-// Two plans' tips differ by about the coarse one's error. Of order 6 in the panels' number, but
-// plans that are still far apart are believed less
+// The tips of a plan and of one with about half its panels differ by about the coarse one's error: at
+// order 6 by 63 times the fine one's. That order is believed where both follow the rod: where they
+// agree, and where no panel is long against the rod's own lengths, 1/|w| and sqrt(EI / |N|)
 static const double margin = 3, rounding = 2e-16;
-static const double near = 3e-4, far = 1e-2;
-enum { ORDER = 6, DOUBTED_ORDER = 4, LEAST_ORDER = 2 };
+static const double near = 3e-4, far = 1e-2, short_panel = 1, long_panel = 2;
+static const double most_ratio = 2;
+enum { ORDER = 6, DOUBTED_ORDER = 4, LEAST_ORDER = 1 };
+
+// the longest panel in the rod's own lengths; after balance_poses and balance_wrenches
+static double longest_panel(const equilibrium *e)
+{
+    const plan *p = e->plan;
+    double longest = 0;
+    for (int i = 0; i < p->nstation; i++) {
+        const double *x = e->xi[i].a;
+        const double w2 = x[3] * x[3] + x[4] * x[4] + x[5] * x[5];
+        const double EI = fmin(p->K[i].a[3][3], p->K[i].a[4][4]);
+        const double rate2 = fmax(w2, vec3_norm(e->state[i].N) / EI);
+        longest = fmax(longest, panel_length(p, i / GAUSS_STATIONS) * sqrt(rate2));
+    }
+    return longest;
+}
 
 static double estimate(const equilibrium *e, vec3 coarse, double ncoarse, vec3 fine, double nfine)
 {
     const double apart = vec3_norm(vec3_sub(fine, coarse)) / e->rod->length;
-    const int order = apart < near ? ORDER : apart < far ? DOUBTED_ORDER : LEAST_ORDER;
-    return margin * apart / (pow(nfine / ncoarse, order) - 1) + rounding * 2 * nfine;
+    const double longest = longest_panel(e), ratio = fmin(nfine / ncoarse, most_ratio);
+    int order = apart < near && longest < short_panel ? ORDER : DOUBTED_ORDER;
+    order = apart < far && longest < long_panel ? order : LEAST_ORDER;
+    order = e->friction && order == ORDER ? DOUBTED_ORDER : order;
+    return margin * apart / (pow(ratio, order) - 1) + rounding * 2 * nfine;
 }
 
 static int level_of(const rod *r, const plan *p)
@@ -202,41 +222,11 @@ static int level_beyond(const rod *r, int level, double times)
     return k;
 }
 
-enum { REFINED, ROUGH_FAILED, ROUGH_LEFT };
-
 // how many times the panels for the tolerance
 static double more_panels(const equilibrium *e, double error)
 {
     const double wanted = e->rod->options.tolerance / 2;
     return isfinite(error) ? fmax(1.2, pow(error / wanted, 1.0 / ORDER)) : 2;
-}
-
-// from a coarse answer at factor 1 to one within the tolerance
-static int refine(equilibrium *e, double *error)
-{
-    const rod *r = e->rod;
-    const double tolerance = r->options.tolerance;
-    vec3 coarse = tip_of(e);
-    double times = more_panels(e, *error);
-    for (int level = level_of(r, e->plan); level < r->nplan - 1;) {
-        const int next = level_beyond(r, level, times);
-        const int negative = e->negative;
-        double moved;
-        transfer(e, &r->plans[next]);
-        if (!newton_correct(e, newton_tolerance(e), 12, &moved) || moved > 0.5 ||
-            (e->conservative && e->negative != negative)) {
-            return ROUGH_FAILED;
-        }
-        const vec3 fine = tip_of(e);
-        *error = estimate(e, coarse, r->plans[level].npair, fine, r->plans[next].npair);
-        if (*error <= tolerance) {
-            return REFINED;
-        }
-        times = more_panels(e, *error);
-        coarse = fine;
-        level = next;
-    }
-    return ROUGH_LEFT;
 }
 
 // the error of a fine answer from a coarser plan that starts with it
@@ -269,6 +259,34 @@ static const plan *coarser_plan(const equilibrium *e)
         }
     }
     return best;
+}
+
+enum { REFINED, ROUGH_FAILED, ROUGH_LEFT };
+
+// from a coarse answer at factor 1 to one within the tolerance, on plans with at most twice as many
+// panels each, the last two of which tell the error
+static int refine(equilibrium *e, double *error)
+{
+    const rod *r = e->rod;
+    vec3 coarse = tip_of(e);
+    for (int level = level_of(r, e->plan); level < r->nplan - 1;) {
+        const int next = level_beyond(r, level, fmin(more_panels(e, *error), most_ratio));
+        const int negative = e->negative;
+        double moved;
+        transfer(e, &r->plans[next]);
+        if (!newton_correct(e, newton_tolerance(e), 12, &moved) || moved > 0.5 ||
+            (e->conservative && e->negative != negative)) {
+            return ROUGH_FAILED;
+        }
+        const vec3 fine = tip_of(e);
+        *error = estimate(e, coarse, r->plans[level].npair, fine, r->plans[next].npair);
+        if (*error <= r->options.tolerance) {
+            return REFINED;
+        }
+        coarse = fine;
+        level = next;
+    }
+    return ROUGH_LEFT;
 }
 
 // --- one request

@@ -117,7 +117,7 @@ done:
 }
 
 // A rod bent by a load through a turn or two meets 1e-6 of its length with this many panels
-static const double panels_for_loads = 24, tolerance_of_them = 1e-6;
+static const double panels_for_loads = 48, tolerance_of_them = 1e-6;
 
 static int level_for_loads(const rod *r)
 {
