@@ -174,9 +174,9 @@ static vec3 tip_of(equilibrium *e)
     return e->node_p[2 * e->plan->npair];
 }
 
-// The tips of a plan and of one with about half its panels differ by about the coarse one's error: at
-// order 6 by 63 times the fine one's. That order is believed where both follow the rod: where they
-// agree, and where no panel is long against the rod's own lengths, 1/|w| and sqrt(EI / |N|)
+// The tips of a plan and of one with about half its panels differ by about the coarse one's error:
+// at order 6 by 63 times the fine one's. That order is believed where both follow the rod: where
+// they agree, and where no panel is long against the rod's own lengths, 1/|w| and sqrt(EI / |N|)
 static const double margin = 3, rounding = 2e-16;
 static const double near = 3e-4, far = 1e-2, short_panel = 1, long_panel = 2;
 static const double most_ratio = 2;
@@ -518,6 +518,22 @@ static void tell(equilibrium *e, const rod_state *state, double error, rod_solut
     }
 }
 
+void equilibrium_judge(rod_state *state, rod_solution *out)
+{
+    equilibrium *e = state->loaded;
+    if (equilibrium_resume(state) != OK) {
+        // at a critical point: the eigenvalue is 0 to rounding
+        status_clear();
+        out->eigenvalue = 0;
+        return;
+    }
+    out->eigenvalue = energy_eigenvalue(e);
+    out->work = energy_work(e);
+    memcpy(e->tension, state->tension, (size_t)e->rod->ntendon * sizeof *e->tension);
+    e->factor = 1;
+    loads_at_factor(e);
+}
+
 status equilibrium_solve(rod_state *state, const rod_request *request, rod_solution *out)
 {
     status st = OK;
@@ -557,11 +573,10 @@ status equilibrium_solve(rod_state *state, const rod_request *request, rod_solut
         }
         store_answer(e, state);
         tell(e, state, error, out);
+        equilibrium_keep_wrenches(e);
     }
     if (st == OK && request->stability) {
-        out->eigenvalue = energy_eigenvalue(e);
-        out->work = energy_work(e);
-        memcpy(e->tension, state->tension, (size_t)e->rod->ntendon * sizeof *e->tension);
+        equilibrium_judge(state, out);
     }
     return st;
 }

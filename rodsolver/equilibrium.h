@@ -79,12 +79,14 @@ struct equilibrium {
     int determinant_exponent;
 
     // a linear answer: rotations and strains, base frame
-    vec3 *phi;       // [npanel + 1] at the nodes
-    vec3 *omega;     // [nstation]
-    vec3 *nu;        // [nstation]
-    vec3 *rv, *rw;   // [nstation] right-hand sides
-    vec3 *load_rate; // [nstation] minus dN / d factor at the last point of the way
-    vec3 *beyond;    // [npanel] forces that turn beyond a panel
+    vec3 *phi;                 // [npanel + 1] at the nodes
+    vec3 *omega;               // [nstation]
+    vec3 *nu;                  // [nstation]
+    vec3 *rv, *rw;             // [nstation] right-hand sides
+    vec3 *node_N, *node_M;     // [npanel + 1] wrench just before the node
+    vec3 *answer_N, *answer_M; // [npair] of the last answer at the pairs' right ends
+    vec3 *load_rate;           // [nstation] minus dN / d factor at the last point of the way
+    vec3 *beyond;              // [npanel] forces that turn beyond a panel
     vec3 *kept_v, *kept_w, *arc_v, *arc_w; // [nstation] right-hand sides kept
     vec6 *step, *slope, *old, *scratch; // [nstation] body strains: Newton's step, d xi / d factor,
                                         // the last point of the way
@@ -111,11 +113,22 @@ status equilibrium_resume(rod_state *state);
 void equilibrium_use_plan(equilibrium *e, const plan *p);
 void equilibrium_start_at_rest(equilibrium *e, const plan *p);
 
+// The smallest eigenvalue and the work of the last answer, into out.
+void equilibrium_judge(rod_state *state, rod_solution *out);
+
 // rod_solve where more acts than tensions.
 status equilibrium_solve(rod_state *state, const rod_request *request, rod_solution *out);
 
 // Tension at the stations of the answer's plan over the one at the base; NULL without friction.
 const double *equilibrium_decay(const equilibrium *e, int tendon);
+
+// --- equilibrium_between.c
+
+// Keeps the wrenches at the pairs' ends for equilibrium_wrench_at; after balance_wrenches.
+void equilibrium_keep_wrenches(equilibrium *e);
+// The wrench of all loads beyond s, about the geometric centre in its body frame, by statics from
+// the last answer: as accurate as the poses.
+vec6 equilibrium_wrench_at(const rod_state *state, double s);
 
 // --- equilibrium_loads.c
 
@@ -140,6 +153,8 @@ static inline double panel_length(const plan *p, int panel)
 void balance_poses(equilibrium *e);
 // N and M at the stations from the poses, by the sums given.
 void balance_wrenches(equilibrium *e, const load_sum *line, const load_sum *node);
+// Adds one load's force and moment on a section with axes R.
+void balance_add_load(const load_sum *l, const mat3 *R, vec3 *force, vec3 *moment);
 // Misfits at the stations; with their tangents. false where a tendon is eaten up or the local
 // stiffness is not positive definite.
 bool balance_stations(equilibrium *e, bool tangents);

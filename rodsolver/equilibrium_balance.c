@@ -55,7 +55,7 @@ static vec3 offset_moment(const mat3 *R, const mat3 *dyad)
     return (vec3){{x.a[1][2] - x.a[2][1], x.a[2][0] - x.a[0][2], x.a[0][1] - x.a[1][0]}};
 }
 
-static void add_sum(const load_sum *l, const mat3 *R, vec3 *force, vec3 *moment)
+void balance_add_load(const load_sum *l, const mat3 *R, vec3 *force, vec3 *moment)
 {
     *force = vec3_add(*force, vec3_add(l->dead, mat3_mul_vec(*R, l->follower)));
     *moment = vec3_add(*moment, vec3_add(l->dead_moment, mat3_mul_vec(*R, l->follower_moment)));
@@ -69,7 +69,7 @@ static void panel_wrenches(const equilibrium *e, int k, const load_sum *line, ve
     station_state *state = &e->state[GAUSS_STATIONS * k];
     vec3 force[GAUSS_STATIONS] = {0}, moment[GAUSS_STATIONS] = {0};
     for (int i = 0; e->lines && i < GAUSS_STATIONS; i++) {
-        add_sum(&line[GAUSS_STATIONS * k + i], &state[i].R, &force[i], &moment[i]);
+        balance_add_load(&line[GAUSS_STATIONS * k + i], &state[i].R, &force[i], &moment[i]);
     }
     for (int i = 0; i < GAUSS_STATIONS; i++) {
         state[i].N = *N;
@@ -96,7 +96,9 @@ void balance_wrenches(equilibrium *e, const load_sum *line, const load_sum *node
 {
     vec3 N = {{0, 0, 0}}, M = {{0, 0, 0}};
     for (int k = 2 * e->plan->npair - 1; k >= 0; k--) {
-        add_sum(&node[k + 1], &e->node_R[k + 1], &N, &M);
+        balance_add_load(&node[k + 1], &e->node_R[k + 1], &N, &M);
+        e->node_N[k + 1] = N;
+        e->node_M[k + 1] = M;
         panel_wrenches(e, k, line, &N, &M);
     }
 }

@@ -61,6 +61,10 @@ static status take_nodes(equilibrium *e, size_t n)
     TRY(TAKE(e->node_to, n));
     TRY(TAKE(e->node_difference, n));
     TRY(TAKE(e->node_R, n));
+    TRY(TAKE(e->node_N, n));
+    TRY(TAKE(e->node_M, n));
+    TRY(TAKE(e->answer_N, n));
+    TRY(TAKE(e->answer_M, n));
     TRY(TAKE(e->node_p, n));
     TRY(TAKE(e->panel, n));
     TRY(TAKE(e->phi, n));
@@ -134,6 +138,10 @@ void equilibrium_free(equilibrium *e)
                      e->kept_w,
                      e->arc_v,
                      e->load_rate,
+                     e->node_N,
+                     e->node_M,
+                     e->answer_N,
+                     e->answer_M,
                      e->arc_w,
                      e->step,
                      e->slope,

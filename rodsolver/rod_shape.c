@@ -76,41 +76,6 @@ static vec6 strain_between(const rod_state *state, double s)
     return sum;
 }
 
-status rod_strain_at(const rod_state *state, double s, vec6 *xi)
-{
-    const rod *r = state->rod;
-    if (!state->solved) {
-        return status_fail(ERR_BUG, "rod: a strain is asked for before a solution");
-    }
-    const double clipped = fmin(fmax(s, 0), r->length);
-    const int pair = pair_of(state->solved, clipped);
-    const double *edge = &state->solved->pair_edge[2 * pair];
-    mat6 K;
-    local_problem q = {.K = &K, .tendon = state->local.tendon};
-    station_law(r, clipped, NULL, &K, &q.rest);
-    if (state->by_load) {
-        *xi = vec6_add(q.rest, strain_between(state, clipped));
-        return OK;
-    }
-    for (int j = 0; j < state->nactive; j++) {
-        const int i = state->active[j];
-        if (state->solved->tendon[i].nstation <= PAIR_STATIONS * pair) {
-            continue; // ends before
-        }
-        routing path;
-        routing_make(&r->spec[i], &r->path[i], edge[0], edge[1], &path);
-        q.tendon[q.ntendon++] =
-            (local_tendon){.place = routing_at(&path, clipped), .tension = state->tension[i]};
-    }
-    *xi = q.rest;
-    int steps = 0, which = 0;
-    if (q.ntendon > 0 && local_solve(&q, xi, &steps, &which) != LOCAL_SOLVED) {
-        return status_fail(ERR_NUMERIC, "rod: no strain at s = %.6g m under these tensions",
-                           clipped);
-    }
-    return OK;
-}
-
 // less than at the base by friction
 static double tension_at(const rod_state *state, int tendon, double s)
 {
@@ -127,6 +92,50 @@ static double tension_at(const rod_state *state, int tendon, double s)
         sum += weight[j] * decay[PAIR_STATIONS * pair + j];
     }
     return state->tension[tendon] * sum;
+}
+
+status rod_strain_at(const rod_state *state, double s, vec6 *xi)
+{
+    const rod *r = state->rod;
+    if (!state->solved) {
+        return status_fail(ERR_BUG, "rod: a strain is asked for before a solution");
+    }
+    const double clipped = fmin(fmax(s, 0), r->length);
+    const int pair = pair_of(state->solved, clipped);
+    const double *edge = &state->solved->pair_edge[2 * pair];
+    mat6 K;
+    local_problem q = {.K = &K, .tendon = state->local.tendon};
+    station_law(r, clipped, NULL, &K, &q.rest);
+    const vec6 rest = q.rest;
+    if (state->by_load) {
+        // a wrench given moves the minimum to the strain that it makes alone
+        mat6 lower;
+        if (!mat6_cholesky(K, &lower)) {
+            return status_fail(ERR_NUMERIC, "rod: the stiffness at s = %.6g m", clipped);
+        }
+        const vec6 wrench = equilibrium_wrench_at(state, clipped);
+        q.rest = vec6_add(q.rest, mat6_cholesky_solve(&lower, wrench));
+    }
+    for (int j = 0; j < state->nactive; j++) {
+        const int i = state->active[j];
+        if (state->solved->tendon[i].nstation <= PAIR_STATIONS * pair) {
+            continue; // ends before
+        }
+        routing path;
+        routing_make(&r->spec[i], &r->path[i], edge[0], edge[1], &path);
+        q.tendon[q.ntendon++] = (local_tendon){.place = routing_at(&path, clipped),
+                                               .tension = tension_at(state, i, clipped)};
+    }
+    *xi = state->by_load ? vec6_add(rest, strain_between(state, clipped)) : q.rest;
+    if (q.ntendon == 0) {
+        *xi = q.rest;
+    }
+    int steps = 0, which = 0;
+    if (q.ntendon > 0 && local_solve(&q, xi, &steps, &which) != LOCAL_SOLVED) {
+        return status_fail(ERR_NUMERIC, "rod: no strain at s = %.6g m under these tensions",
+                           clipped);
+    }
+    return OK;
 }
 
 status rod_wrench_at(const rod_state *state, double s, vec6 *wrench, double *tension)

@@ -198,6 +198,9 @@ static status solve(rod_state *state, const rod_request *request, bool told, rod
     out->tip = request->base ? pose_mul(state->base, out->tip) : out->tip;
     if (told) {
         tell(state, out);
+        if (request->stability) {
+            equilibrium_judge(state, out);
+        }
     }
 
 done:
