@@ -289,18 +289,7 @@ static int refine(equilibrium *e, double *error)
     return ROUGH_LEFT;
 }
 
-// --- one request
-
-enum { LEAST_PAIRS = 2, ATTEMPTS = 4 };
-
-static int first_level(const rod *r)
-{
-    int k = 0;
-    while (k < r->nplan - 1 && r->plans[k].npair < LEAST_PAIRS) {
-        k++;
-    }
-    return k;
-}
+// --- failures
 
 static status fail_way(const equilibrium *e, const path *way, int outcome)
 {
@@ -346,60 +335,6 @@ static int finish(equilibrium *e, double *error)
     return level_of(r, e->plan) == r->nplan - 1 ? ROUGH_LEFT : refine(e, error);
 }
 
-// panels for critical points: they are of the plan that the way is followed on
-enum { CRITICAL_PAIRS = 8 };
-
-static int level_for_critical(const equilibrium *e)
-{
-    const rod *r = e->rod;
-    int k = level_of(r, e->plan);
-    while (k < r->nplan - 1 && r->plans[k].npair < CRITICAL_PAIRS) {
-        k++;
-    }
-    return k;
-}
-
-// from rest: on a coarse plan, and on finer ones where that was too coarse for its own answer or
-// for critical points
-static status solve_cold(equilibrium *e, path *way, double *error, int *outcome)
-{
-    const rod *r = e->rod;
-    int level = first_level(r), refined = ROUGH_FAILED;
-    for (int k = 0; k < ATTEMPTS; k++) {
-        *way = (path){.past = way->past};
-        equilibrium_start_at_rest(e, &r->plans[level]);
-        *outcome = path_follow(e, way, newton_tolerance(e));
-        refined = *outcome == PATH_ARRIVED ? finish(e, error) : ROUGH_FAILED;
-        const bool told = refined == REFINED || *outcome == PATH_LIMIT;
-        const int next = level_for_critical(e);
-        if (told && (way->ncritical == 0 || next <= level)) {
-            return *outcome == PATH_LIMIT ? fail_way(e, way, *outcome) : OK;
-        }
-        if (refined == ROUGH_LEFT || level == r->nplan - 1) {
-            break;
-        }
-        level = told ? next : level_beyond(r, level, 2);
-    }
-    if (*outcome == PATH_ARRIVED) {
-        *outcome = PATH_LOST;
-        return fail_tolerance(e, *error);
-    }
-    return fail_way(e, way, *outcome);
-}
-
-static status solve_warm(equilibrium *e, path *way, double *error, int *outcome)
-{
-    *outcome = path_follow(e, way, newton_tolerance(e));
-    if (*outcome != PATH_ARRIVED) {
-        return fail_way(e, way, *outcome);
-    }
-    if (finish(e, error) == REFINED) {
-        return OK;
-    }
-    *outcome = PATH_LOST;
-    return fail_tolerance(e, *error);
-}
-
 // --- between the state and the equilibrium
 
 static void load_answer(equilibrium *e, const rod_state *state)
@@ -414,6 +349,8 @@ static void load_answer(equilibrium *e, const rod_state *state)
     for (int i = 0; i < e->rod->ntendon; i++) {
         const tendon_spec *t = &e->rod->spec[i];
         const double give = t->EA > 0 ? (e->rest_length[i] + t->outside) / t->EA : 0;
+        e->tension[i] = e->from.tension[i];
+        e->slack[i] = e->pulled[i] && e->tension[i] == 0;
         if (e->pulled[i] && isnan(e->from.pull[i])) {
             e->from.pull[i] = e->rest_length[i] + give * e->tension[i] - e->length[i];
             e->slack[i] = false;
@@ -470,6 +407,7 @@ status equilibrium_resume(rod_state *state)
         equilibrium_remember(state);
     }
     demand_copy(e->rod, &e->to, &e->from);
+    memcpy(e->from.tension, state->tension, (size_t)e->rod->ntendon * sizeof *e->tension);
     memcpy(e->tension, state->tension, (size_t)e->rod->ntendon * sizeof *e->tension);
     classify(e);
     // also those whose factor is 0: by it may be derived
@@ -518,6 +456,89 @@ static void tell(equilibrium *e, const rod_state *state, double error, rod_solut
     }
 }
 
+// --- one request
+
+enum { LEAST_PAIRS = 2, CRITICAL_PAIRS = 8, ATTEMPTS = 9 };
+
+// Two plans' critical points may differ by this many times the tolerance: the finer plan's are 63
+// times nearer
+static const double settled = 30, least_settled = 1e-9;
+
+static int level_with(const rod *r, int level, int pairs)
+{
+    while (level < r->nplan - 1 && r->plans[level].npair < pairs) {
+        level++;
+    }
+    return level;
+}
+
+static bool critical_settled(const rod *r, const path *way, const path *before)
+{
+    const double apart = settled * fmax(r->options.tolerance, least_settled);
+    bool same = way->ncritical == before->ncritical;
+    for (int i = 0; same && i < way->ncritical && i < ROD_MAX_CRITICAL; i++) {
+        const rod_critical *a = &way->critical[i], *b = &before->critical[i];
+        same = a->kind == b->kind && fabs(a->fraction - b->fraction) <= apart;
+    }
+    return same;
+}
+
+static bool start(equilibrium *e, const rod_state *state, bool warm, int level)
+{
+    const plan *p = &e->rod->plans[level];
+    double moved;
+    if (!warm) {
+        equilibrium_start_at_rest(e, p);
+        return true;
+    }
+    load_answer(e, state);
+    if (p != e->plan) {
+        transfer(e, p);
+        return newton_correct(e, newton_tolerance(e), CORRECTIONS, &moved);
+    }
+    return true;
+}
+
+// The way from the start: on a coarse plan (the last answer's, where it starts there), and again on
+// finer ones where that was too coarse for its own answer or for the critical points on it
+static status solve_way(equilibrium *e, const rod_state *state, bool warm, path *way, double *error,
+                        int *outcome)
+{
+    const rod *r = e->rod;
+    int level = warm ? level_of(r, state->solved) : level_with(r, 0, LEAST_PAIRS);
+    path before = {.ncritical = -1};
+    vec3 tip = {{0, 0, 0}};
+    for (int k = 0; k < ATTEMPTS; k++) {
+        *way = (path){.past = way->past};
+        *outcome = PATH_LOST;
+        if (start(e, state, warm, level)) {
+            *outcome = path_follow(e, way, newton_tolerance(e));
+        }
+        const int refined = *outcome == PATH_ARRIVED ? finish(e, error) : ROUGH_FAILED;
+        if (*outcome == PATH_LIMIT) {
+            const vec3 now = tip_of(e);
+            *error = vec3_norm(vec3_sub(now, tip)) / r->length;
+            tip = now;
+        }
+        const bool last = level == r->nplan - 1,
+                   told = refined == REFINED || *outcome == PATH_LIMIT;
+        if (told && (way->ncritical == 0 || last || critical_settled(r, way, &before))) {
+            return *outcome == PATH_LIMIT ? fail_way(e, way, *outcome) : OK;
+        }
+        if (last || refined == ROUGH_LEFT) {
+            break;
+        }
+        before = *way;
+        level = level_beyond(r, level, 2);
+        level = told ? level_with(r, level, CRITICAL_PAIRS) : level;
+    }
+    if (*outcome == PATH_ARRIVED) {
+        *outcome = PATH_LOST;
+        return fail_tolerance(e, *error);
+    }
+    return fail_way(e, way, *outcome);
+}
+
 void equilibrium_judge(rod_state *state, rod_solution *out)
 {
     equilibrium *e = state->loaded;
@@ -556,12 +577,7 @@ status equilibrium_solve(rod_state *state, const rod_request *request, rod_solut
         e->pulled[i] = !isnan(e->to.pull[i]);
     }
     classify(e);
-    if (warm) {
-        load_answer(e, state);
-        st = solve_warm(e, &way, &error, &outcome);
-    } else {
-        st = solve_cold(e, &way, &error, &outcome);
-    }
+    st = solve_way(e, state, warm, &way, &error, &outcome);
     state->solved = NULL;
     out->fraction = way.factor;
     out->ncritical = way.ncritical;
@@ -574,6 +590,8 @@ status equilibrium_solve(rod_state *state, const rod_request *request, rod_solut
         store_answer(e, state);
         tell(e, state, error, out);
         equilibrium_keep_wrenches(e);
+        // at a limit point the second variation is singular: the rod does not stay there
+        out->stable = outcome == PATH_LIMIT && out->stable > 0 ? 0 : out->stable;
     }
     if (st == OK && request->stability) {
         equilibrium_judge(state, out);

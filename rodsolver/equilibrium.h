@@ -208,6 +208,8 @@ bool pull_update_slack(equilibrium *e);
 
 // integral of |nu| / L + |omega|: no point moves by more, over the length
 double newton_size(const equilibrium *e, const vec6 *strain);
+enum { CORRECTIONS = 12 };
+
 // Everything at e->xi, e->tension and e->factor up to the factorization.
 bool newton_linearize(equilibrium *e);
 // An equilibrium at e->factor from e->xi. moved: size of the whole correction; most: steps.

@@ -11,8 +11,10 @@ enum { SEARCH_STEPS = 60, ARC_STEPS = 2000, ARC_CORRECTIONS = 8 };
 
 // the width of the bracket at which a search stops, of the factor
 static const double search_width = 1e-10;
-// corrections while searching
-static const double search_tolerance = 1e-9;
+// ... and of an arclength step
+static const double arc_width = 1e-3;
+// corrections while searching; at a limit point, whose factor they enter by their square
+static const double search_tolerance = 1e-9, singular_tolerance = 1e-6, stalled = 0.1;
 
 // --- between two points of the way, kept in e->old and e->direction
 
@@ -162,14 +164,16 @@ static bool arc_correct(equilibrium *e, double along, double *moved)
             e->tension_step[i] = e->arc_tension[i] + change * e->tension_slope[i];
         }
         const double size = newton_size(e, e->step);
-        if (!isfinite(size) || (k > 1 && size > before)) {
+        if (!isfinite(size) || (k > 1 && size > before && size > singular_tolerance)) {
             return false;
         }
         newton_advance(e, newton_longest_share(e), e->step, e->tension_step);
         path_factor(e, e->factor + change);
         *moved += size;
         e->iterations++;
-        if (size * fmin(1, size / before) <= search_tolerance) {
+        // where the tangent is nearly singular its two parts cancel: rounding stops the way down
+        const bool stopped = k > 2 && size > stalled * before && size <= singular_tolerance;
+        if (stopped || size * fmin(1, k > 0 ? size / before : 1) <= search_tolerance) {
             return true;
         }
         before = size;
@@ -192,43 +196,58 @@ static bool arc_step(equilibrium *e, const arc_point *from, double step, double 
     return arc_correct(e, from->along, moved) && *moved <= fmax(0.3 * step, 1e-6);
 }
 
-// the tangent at e without turning e->direction
-static double arc_along(equilibrium *e, double last)
+// d factor / d step at e, on the way from a kept point along e->direction
+static double arc_rate(equilibrium *e, const arc_point *from)
 {
     newton_slope(e);
-    const double size = sqrt(path_product(e, e->slope, e->slope) + 1);
-    return (path_product(e, e->slope, e->direction) + last < 0 ? -1 : 1) / size;
+    return 1 / (path_product(e, e->direction, e->slope) + from->along);
 }
 
-// the limit point between the kept point and the one `step` further: where the tangent has no
-// component along the factor
-static bool arc_find_limit(equilibrium *e, const arc_point *from, double step, double along_end)
+typedef struct arc_end {
+    double step, factor, rate;
+} arc_end;
+
+// the extreme factor between two ends of opposite rates, by the cubic through both
+static double extreme_between(const arc_end *a, const arc_end *b)
 {
-    double a = 0, b = step, fa = from->along, fb = along_end;
+    const double h = b->step - a->step, mean = (b->factor - a->factor) / h;
+    // rate at t in [0, 1]: a->rate + 2 p t + 3 q t^2
+    const double q = a->rate + b->rate - 2 * mean, p = 3 * mean - 2 * a->rate - b->rate;
+    const double root = sqrt(fmax(p * p - 3 * q * a->rate, 0));
+    const double t = a->rate / (-p + (a->rate > 0 ? root : -root));
+    return a->factor + h * t * (a->rate + t * (p + t * q));
+}
+
+// the limit point between the kept point and the end `b`: where the factor has no rate along the
+// step. Right at it nothing can be solved for: from a narrow bracket the cubic tells
+static bool arc_find_limit(equilibrium *e, const arc_point *from, arc_end b, double *limit)
+{
+    arc_end a = {0, from->factor, from->along};
+    const double whole = b.step;
+    double fa = a.rate, fb = b.rate;
     int side = 0;
-    for (int k = 0; k < SEARCH_STEPS && b - a > 1e-9 * step; k++) {
-        const double c = k % 4 == 3 ? (a + b) / 2 : (a * fb - b * fa) / (fb - fa);
+    for (int k = 0; k < SEARCH_STEPS && b.step - a.step > arc_width * whole; k++) {
+        const double c =
+            k % 3 == 2 ? (a.step + b.step) / 2 : (a.step * fb - b.step * fa) / (fb - fa);
         double moved;
         if (!arc_step(e, from, c, &moved) || !newton_linearize(e)) {
-            return k > 8;
+            break;
         }
-        const double fc = arc_along(e, from->along);
-        if (fabs(fc) < 1e-7) {
-            return true;
-        }
-        if ((fc > 0) == (from->along > 0)) {
-            a = c;
-            fa = fc;
+        const arc_end here = {c, e->factor, arc_rate(e, from)};
+        const bool before = (here.rate > 0) == (from->along > 0);
+        if (before) {
+            a = here;
             fb = side == 1 ? fb / 2 : fb;
-            side = 1;
+            fa = here.rate;
         } else {
-            b = c;
-            fb = fc;
+            b = here;
             fa = side == -1 ? fa / 2 : fa;
-            side = -1;
+            fb = here.rate;
         }
+        side = before ? 1 : -1;
     }
-    return true;
+    *limit = extreme_between(&a, &b);
+    return b.step - a.step <= 0.1 * whole;
 }
 
 static arc_point arc_point_here(const equilibrium *e, double along)
@@ -259,7 +278,8 @@ int path_turn(equilibrium *e, path *way, double tolerance)
 {
     // the points of the way are rough: across a short step that would be all there is
     double moved;
-    if (!newton_correct(e, search_tolerance, 2 * ARC_CORRECTIONS, &moved) || !newton_linearize(e)) {
+    if (!newton_linearize(e) || !arc_correct(e, arc_tangent(e, true, 0), &moved) ||
+        !newton_linearize(e)) {
         return PATH_LOST;
     }
     arc_point from = arc_point_here(e, arc_tangent(e, true, 0));
@@ -281,15 +301,16 @@ int path_turn(equilibrium *e, path *way, double tolerance)
         if (!newton_linearize(e)) {
             return PATH_LOST;
         }
-        const double along = arc_along(e, from.along);
-        if ((along > 0) != (from.along > 0)) {
+        const double rate = arc_rate(e, &from);
+        if ((rate > 0) != (from.along > 0)) {
             const int behind = e->conservative ? e->negative : -1;
-            if (!arc_find_limit(e, &from, step, along)) {
+            double limit;
+            if (!arc_find_limit(e, &from, (arc_end){step, e->factor, rate}, &limit)) {
                 return PATH_LOST;
             }
-            path_record(way, CRITICAL_LIMIT, e->factor, behind);
+            path_record(way, CRITICAL_LIMIT, limit, behind);
             if (!way->past) {
-                way->factor = e->factor;
+                way->factor = limit;
                 return PATH_LIMIT;
             }
             // on from the point behind the limit

@@ -13,8 +13,9 @@
 static const double aim = 0.15, largest = 0.5, largest_share = 0.4, always = 0.03;
 static const double first_turn = 1; // of the first step
 static const double rough = 3e-3;   // what is left on the way, before the last point
+static const double steep = 3;      // slopes from here on ask for sharper points
 static const double shortest = 0.02, growth = 3, shrink = 0.35;
-enum { PATH_STEPS = 400, CORRECTIONS = 7 };
+enum { PATH_STEPS = 400, PATH_CORRECTIONS = 7 };
 
 double path_product(const equilibrium *e, const vec6 *a, const vec6 *b)
 {
@@ -60,7 +61,7 @@ void path_record(path *way, int kind, double fraction, int negative)
 bool path_try(equilibrium *e, double factor, double tolerance, double predicted, double *moved)
 {
     path_factor(e, factor);
-    const bool found = newton_correct(e, tolerance, CORRECTIONS, moved);
+    const bool found = newton_correct(e, tolerance, PATH_CORRECTIONS, moved);
     return found && *moved <= largest && *moved <= fmax(largest_share * predicted, always);
 }
 
@@ -104,6 +105,13 @@ static double longest_step(const equilibrium *e)
     return compression > 0 ? euler / compression : HUGE_VAL;
 }
 
+// Near a limit point the shape changes fast with the factor, and a rough point might lie beyond it
+static double rough_tolerance(const equilibrium *e)
+{
+    const double rate = newton_size(e, e->slope);
+    return rough * fmin(1, steep * steep / (rate * rate));
+}
+
 static double next_step(double step, double moved)
 {
     const double wanted = sqrt(aim / fmax(moved, 1e-12));
@@ -127,7 +135,7 @@ int path_follow(equilibrium *e, path *way, double tolerance)
         const double share = step >= 0.85 * left ? left : step;
         const bool last = share == left;
         path_keep(e);
-        if (!step_by_factor(e, share, last ? tolerance : rough, &moved)) {
+        if (!step_by_factor(e, share, last ? tolerance : rough_tolerance(e), &moved)) {
             path_restore(e);
             path_factor(e, way->factor);
             step = share * shrink;
