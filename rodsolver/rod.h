@@ -178,9 +178,10 @@ status rod_solve(rod_state *state, const rod_request *request, rod_solution *out
 // Panels of the last solution; before one, those that a load near the critical one begins with.
 int rod_panel_count(const rod_state *state);
 
-// Tip positions for n rows of tensions at once, cold, on nthread threads (0: all cores); loads and
-// everything else as in `like` (NULL: none). tension [n][ntendon], tip [n], outcome [n] (may be
-// NULL). The number of rows that failed. Allocates its states once.
+// Tips for n rows of tensions at once, cold, on nthread threads (0: all cores): the bits of
+// rod_solve, however many threads; loads and everything else as in `like` (NULL: none). tension
+// [n][ntendon], tip [n] (NAN where a row failed), outcome [n] (may be NULL). failed: how many rows
+// did. Allocates its states once.
 status rod_batch(const rod *r, int nthread, int n, const double *tension, const rod_request *like,
                  pose *tip, status *outcome, int *failed);
 
