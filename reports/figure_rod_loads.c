@@ -187,7 +187,7 @@ void rod_gravity_draw(const rod_scene *s, const rod_view *v, box at)
     const vec3 seen = camera_see(&v->camera, vec3_scale(half / size, l->acceleration));
     find_corner(s, v, at, radius + 8, o);
     canvas_circle(v->c, o[0], o[1], radius);
-    canvas_fill_stroke(v->c, (colour){1, 1, 1, 0.85}, INK_FAINT, 0.8);
+    canvas_stroke(v->c, INK_FAINT, 0.8);
     if (hypot(seen.a[0], seen.a[1]) < 0.1 * half) {
         canvas_circle(v->c, o[0], o[1], 5);
         canvas_stroke(v->c, DEAD, 1.6);

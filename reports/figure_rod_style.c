@@ -217,14 +217,19 @@ static void bar(canvas *c, const rod_show *show, box at)
         number_short(rod_quantity_value(&rod->run[l->count - 1], l->lead), 4).text,
         rod_quantity_unit(l->lead));
     say_within(c, at.x + width + 16, at.y + 13, at.w - width - 16, look, name);
-    say(c, at.x + width + 16, at.y + 29, LOOK_SMALL, "%d solutions, %d of them drawn",
-        rod->nsolution, show->nshown);
+    if (show->nshown < rod->nsolution) {
+        say(c, at.x + width + 16, at.y + 29, LOOK_SMALL, "%d solutions, %d of them drawn",
+            rod->nsolution, show->nshown);
+    } else {
+        say(c, at.x + width + 16, at.y + 29, LOOK_SMALL, "%d solutions", rod->nsolution);
+    }
 }
 
 void rod_legend(canvas *c, const rod_show *show, box at, rod_note note)
 {
     const int rows = legend_rows(show), shown = rows * COLUMNS;
-    const double width = at.w / COLUMNS;
+    const int columns = (entries(show) + rows - 1) / rows;
+    const double width = at.w / (columns < COLUMNS ? columns : COLUMNS);
     const bool plain = show->sweep || note == ROD_NOTE_NONE;
     const double label_width = widest_label(c, show, shown, plain ? width - 44 : 0.46 * width);
     if (one_bar(show)) {

@@ -214,7 +214,7 @@ static void notes(canvas *c, const rods_sheet *s)
     say(c, side, y + 16, LOOK_SMALL, "Thin lines: tendons%s%s%s%s", some ? ", of some shapes" : "",
         loads ? "; full arrows: fixed in space; hollow: turning with the section; two heads: moment"
               : "",
-        stopped ? "; hollow tip: stopped at a limit point, at that part of the way" : "",
+        stopped ? "; hollow tip: stopped at a limit point" : "",
         unstable ? "; dashed: unstable." : ".");
 }
 

@@ -145,8 +145,7 @@ int rod_show_line_of(const rod_show *s, int solution)
 
 // --- which are drawn
 
-// count of them at equal steps, first and last included
-static int spread(int n, int most, int *out)
+int rod_spread(int n, int most, int *out)
 {
     const int count = n < most ? n : most;
     for (int i = 0; i < count; i++) {
@@ -160,8 +159,8 @@ static status choose(rod_show *s)
     status st = OK;
     const int n = s->rod->nsolution;
     TRY(TAKE(s->shown, SHAPES_OTHERWISE));
-    s->nshown = spread(n, s->sweep ? SHAPES_OF_A_SWEEP : SHAPES_OTHERWISE, s->shown);
-    s->ndetail = spread(n, s->sweep ? DETAILS_OF_A_SWEEP : DETAILS_OTHERWISE, s->detail);
+    s->nshown = rod_spread(n, s->sweep ? SHAPES_OF_A_SWEEP : SHAPES_OTHERWISE, s->shown);
+    s->ndetail = rod_spread(n, s->sweep ? DETAILS_OF_A_SWEEP : DETAILS_OTHERWISE, s->detail);
 
 done:
     return st;

@@ -42,3 +42,6 @@ void rod_show_free(rod_show *s);
 
 // The line to which a solution belongs.
 int rod_show_line_of(const rod_show *s, int solution);
+
+// At most `most` of 0 .. n - 1 at equal steps, the first and the last among them; their count.
+int rod_spread(int n, int most, int *out);
