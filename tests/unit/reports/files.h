@@ -24,8 +24,7 @@ static inline void scratch_free(const char *dir)
         "section.svg",  "section.png",  "segment.svg",   "segment.png",   "rods.svg",
         "rods.png",     "report.html",  "curvature.svg", "curvature.png", "summary",
         "stresses.svg", "stresses.png", "sections.csv",  "stresses.csv",  "kern.csv",
-        "result.hdf",   "rods.csv",     "shapes.csv",    "wrench.svg",    "wrench.png",
-        "tendons.svg",  "tendons.png",  "sweep.svg",     "sweep.png"};
+        "result.hdf",   "rods.csv",     "shapes.csv"};
     char path[256];
     for (size_t i = 0; i < sizeof files / sizeof *files; i++) {
         (void)snprintf(path, sizeof path, "%s/%s", dir, files[i]);

@@ -9,7 +9,7 @@
 #include <stdio.h>
 #include <time.h>
 
-enum { RANDOM_TENDONS = 3, RANDOM_STEPS = 10, RANDOM_REPEATS = 3 };
+enum { RANDOM_TENDONS = 3, RANDOM_STEPS = 12, RANDOM_REPEATS = 3 };
 
 #define RANDOM_PI 3.14159265358979323846
 // between the two methods' tips [m], their critical fractions, and the tip of ours against the
