@@ -346,13 +346,15 @@ static void load_answer(equilibrium *e, const rod_state *state)
     e->factor = 0;
     equilibrium_use_plan(e, p);
     balance_lengths(e, e->length);
+    if (e->friction) {
+        balance_friction(e);
+    }
     for (int i = 0; i < e->rod->ntendon; i++) {
-        const tendon_spec *t = &e->rod->spec[i];
-        const double give = t->EA > 0 ? (e->rest_length[i] + t->outside) / t->EA : 0;
         e->tension[i] = e->from.tension[i];
         e->slack[i] = e->pulled[i] && e->tension[i] == 0;
         if (e->pulled[i] && isnan(e->from.pull[i])) {
-            e->from.pull[i] = e->rest_length[i] + give * e->tension[i] - e->length[i];
+            e->from.pull[i] =
+                e->rest_length[i] + pull_compliance(e, i) * e->tension[i] - e->length[i];
             e->slack[i] = false;
         }
     }

@@ -46,6 +46,15 @@ typedef struct panel_factor {
     mat3 S, SN; // at the right node: dM = S phi + c, dN = SN phi + cN of what lies beyond
 } panel_factor;
 
+// room for answers that tensions follow by friction
+enum { FRICTION_VECTORS = 30 };
+typedef struct follow_room {
+    vec3 *v, *w;            // [nstation] the right-hand side ...
+    double *given, *change; // [ntendon] ... and its lengths
+    vec6 *x;                // [nstation]
+    vec6 *basis;            // [FRICTION_VECTORS + 1][room]
+} follow_room;
+
 struct equilibrium {
     const rod *rod;
     const plan *plan;      // at hand
@@ -58,11 +67,12 @@ struct equilibrium {
     bool *pulled;    // [ntendon] by `to`
     bool *slack;     // [ntendon] among those
 
-    vec6 *xi;             // [nstation]
-    double *tension;      // [ntendon] at the base
-    double *decay;        // [ntendon][room] tension there over the one at the base
-    double *decay_change; // [ntendon][room]
+    vec6 *xi;        // [nstation]
+    double *tension; // [ntendon] at the base
+    double *decay;   // [ntendon][room] tension there over the one at the base
     bool friction;
+    follow_room follow; // where any tendon has friction
+    bool lost;          // a derivative with friction
 
     load_sum *line, *line_from, *line_to; // [nstation] at `factor`, and at both ends of the way
     load_sum *node, *node_from, *node_to; // [npanel + 1]
@@ -164,10 +174,20 @@ void balance_check(equilibrium *e, double *energy, double *residual);
 void balance_lengths(equilibrium *e, double *length);
 // Wrench (t, r x t) of a unit tension of this tendon at this station, body frame.
 vec6 balance_tendon(const equilibrium *e, int tendon, int station);
+// --- equilibrium_friction.c, equilibrium_follow.c
+
 // Tension along tendons with friction: e->decay from the present shape.
 void balance_friction(equilibrium *e);
-// pull_solve with tensions that follow the answer by friction.
-void friction_solve(equilibrium *e, double *change, vec6 *strain);
+// Length at rest times tension over the one at the base, integrated: what stretches [m].
+double friction_stretched_length(const equilibrium *e, int tendon);
+// Any tendon with friction pulls.
+bool friction_follows(const equilibrium *e);
+// Adds what friction takes from tensions when the strains change by `step` to e->rv, e->rw, and
+// what their stretch thereby takes to the lengths' change [ntendon].
+void friction_misfits(equilibrium *e, const vec6 *step, double *change);
+// pull_solve with tensions that follow the answer by friction; false where that is not found to the
+// relative tolerance.
+bool friction_solve(equilibrium *e, double tolerance, double *change, vec6 *strain);
 
 // --- equilibrium_sweep.c
 
@@ -189,6 +209,8 @@ void sweep_solve(equilibrium *e, const vec3 *rv, const vec3 *rw, vec6 *strain);
 
 bool pull_any(const equilibrium *e);     // any tendon is pulled
 bool pull_unknown(const equilibrium *e); // any of them is not slack
+// Elongation of the whole tendon per tension at the base [m/N].
+double pull_compliance(const equilibrium *e, int tendon);
 // What the tendon is too long inside the body: positive pulls [m].
 double pull_excess(const equilibrium *e, int tendon);
 // Adds c times the misfit that a unit tension makes to e->rv, e->rw.

@@ -104,14 +104,18 @@ static void no_misfits(equilibrium *e)
     memset(e->tension_step, 0, (size_t)e->rod->ntendon * sizeof *e->tension_step);
 }
 
-// answers e->rv, e->rw with lengths changing by e->tension_step; friction follows the answer
+// part of a derivative that tensions following by friction may leave out
+static const double followed = 1e-12;
+
+// answers e->rv, e->rw with lengths changing by e->tension_step
 static void answer(equilibrium *e)
 {
-    if (e->friction) {
-        friction_solve(e, e->tension_step, e->step);
-    } else {
-        pull_solve(e, e->tension_step, e->step);
-    }
+    e->lost = !friction_solve(e, followed, e->tension_step, e->step) || e->lost;
+}
+
+static status check_answers(const equilibrium *e)
+{
+    return e->lost ? status_fail(ERR_NUMERIC, "rod: no derivative with friction was found") : OK;
 }
 
 // by the load of a demand, at this shape
@@ -209,6 +213,7 @@ status rod_derive(rod_state *state, double s, const rod_derivatives *out)
     status st = OK;
     equilibrium *e = state->loaded;
     TRY(equilibrium_resume(state));
+    e->lost = false;
     const double clipped = fmin(fmax(s, 0), e->rod->length);
     const place at = find_place(e, state, clipped);
     derive_tensions(e, &at, out);
@@ -216,6 +221,7 @@ status rod_derive(rod_state *state, double s, const rod_derivatives *out)
     if (out->base) {
         derive_base(e, state, clipped, &at, out->base);
     }
+    st = check_answers(e);
 
 done:
     return st;
@@ -310,6 +316,7 @@ status rod_derive_design(rod_state *state, const rod *plus_rod, const rod *minus
     memcpy(e->arc_v, e->rv, (size_t)e->plan->nstation * sizeof *e->rv);
     memcpy(e->arc_w, e->rw, (size_t)e->plan->nstation * sizeof *e->rw);
     TRY(equilibrium_resume(state));
+    e->lost = false;
     const double c = 1 / (2 * step);
     for (int i = 0; i < e->plan->nstation; i++) {
         const mat3 *R = &e->state[i].R;
@@ -320,6 +327,7 @@ status rod_derive_design(rod_state *state, const rod *plus_rod, const rod *minus
         e->tension_step[i] = -c * (e->tension_slope[i] - e->tension_old[i]);
     }
     answer(e);
+    TRY(check_answers(e));
     const mat3 R = mat3_mul(mat3_transpose(state->base.R), rod_pose_at(state, at.s).R);
     *out = vec6_add(twist_at(e, &at), pose_rate(&g[0], &g[1], &R, step));
 

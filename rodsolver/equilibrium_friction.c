@@ -1,22 +1,21 @@
 // rodsolver/equilibrium_friction.c
 // Coulomb friction along the tendons' paths while they pull: tau' = -mu tau |(R t)'|, so that
-// tau(s) = tau(0) exp(-mu times the angle that the path has turned). docs/theory.md (4.26)
+// tau(s) = tau(0) exp(-mu times the angle that the path has turned), and how tensions change when
+// strains do. docs/theory.md (4.26)
 #include "rodsolver/collocation.h"
 #include "rodsolver/equilibrium.h"
 
 #include <math.h>
 #include <string.h>
 
-enum { FOLLOWS = 60 };
-
-// turn of the rod by which the tensions' derivatives are differenced
-static const double probe = 1e-5;
-// part of a derivative that is left out
-static const double followed = 1e-10;
+typedef struct pair_matrix {
+    double a[PAIR_STATIONS][PAIR_STATIONS];
+} pair_matrix;
 
 // the derivative of the polynomial through a pair's six stations, at them, per panel length
-static void pair_slopes(double D[PAIR_STATIONS][PAIR_STATIONS])
+static pair_matrix pair_slopes(void)
 {
+    pair_matrix D;
     double x[PAIR_STATIONS], w[PAIR_STATIONS];
     for (int i = 0; i < PAIR_STATIONS; i++) {
         x[i] = gauss_point[i % GAUSS_STATIONS] + i / GAUSS_STATIONS;
@@ -28,124 +27,186 @@ static void pair_slopes(double D[PAIR_STATIONS][PAIR_STATIONS])
         }
     }
     for (int i = 0; i < PAIR_STATIONS; i++) {
-        D[i][i] = 0;
+        D.a[i][i] = 0;
         for (int j = 0; j < PAIR_STATIONS; j++) {
             if (j != i) {
-                D[i][j] = w[j] / w[i] / (x[i] - x[j]);
-                D[i][i] -= D[i][j];
+                D.a[i][j] = w[j] / w[i] / (x[i] - x[j]);
+                D.a[i][i] -= D.a[i][j];
             }
         }
     }
+    return D;
 }
 
-// how fast the tendon's tangent turns in space at each station of a pair: |w x t + t'|
-static void turning_rates(const equilibrium *e, const plan_tendon *t, int pair,
-                          const double D[PAIR_STATIONS][PAIR_STATIONS], double *rate)
+static vec3 angular(const vec6 *x)
+{
+    return (vec3){{x->a[3], x->a[4], x->a[5]}};
+}
+
+// how a tendon's path turns in space at the stations of a pair, and how its tangent moves when the
+// strains change
+typedef struct path_turn_rate {
+    double rate[PAIR_STATIONS];   // |w x t + t'| [1/m]
+    double change[PAIR_STATIONS]; // of it, where strains change
+} path_turn_rate;
+
+// change of t = d / |d| by a change of strains
+static vec3 tangent_change(const tendon_place *place, double length, vec3 t, const vec6 *step)
+{
+    tendon_place straight = *place;
+    straight.dx = straight.dy = 0;
+    const vec3 change = tendon_direction(&straight, step);
+    const vec3 across = vec3_sub(change, vec3_scale(vec3_dot(t, change), t));
+    return vec3_scale(1 / length, across);
+}
+
+// sum_j D_ij t_j / h
+static vec3 slope_at(const pair_matrix *D, int i, double h, const vec3 *t)
+{
+    vec3 sum = {{0, 0, 0}};
+    for (int j = 0; j < PAIR_STATIONS; j++) {
+        sum = vec3_add(sum, vec3_scale(D->a[i][j] / h, t[j]));
+    }
+    return sum;
+}
+
+// step: [nstation] changes of the strains, NULL for none
+static path_turn_rate turn_rate(const equilibrium *e, const plan_tendon *tendon, int pair,
+                                const pair_matrix *D, const vec6 *step)
 {
     const double h = panel_length(e->plan, 2 * pair);
     const int first = PAIR_STATIONS * pair;
-    vec3 tangent[PAIR_STATIONS];
+    path_turn_rate out = {{0}, {0}};
+    vec3 t[PAIR_STATIONS], dt[PAIR_STATIONS];
     for (int i = 0; i < PAIR_STATIONS; i++) {
-        const vec3 d = tendon_direction(&t->place[first + i], &e->xi[first + i]);
-        tangent[i] = vec3_scale(1 / vec3_norm(d), d);
-    }
-    for (int i = 0; i < PAIR_STATIONS; i++) {
-        const double *x = e->xi[first + i].a;
-        vec3 turn = vec3_cross((vec3){{x[3], x[4], x[5]}}, tangent[i]);
-        for (int j = 0; j < PAIR_STATIONS; j++) {
-            turn = vec3_add(turn, vec3_scale(D[i][j] / h, tangent[j]));
+        const tendon_place *place = &tendon->place[first + i];
+        const vec3 d = tendon_direction(place, &e->xi[first + i]);
+        const double length = vec3_norm(d);
+        t[i] = vec3_scale(1 / length, d);
+        if (step) {
+            dt[i] = tangent_change(place, length, t[i], &step[first + i]);
         }
-        rate[i] = vec3_norm(turn);
     }
+    for (int i = 0; i < PAIR_STATIONS; i++) {
+        const vec3 w = angular(&e->xi[first + i]);
+        const vec3 turn = vec3_add(vec3_cross(w, t[i]), slope_at(D, i, h, t));
+        out.rate[i] = vec3_norm(turn);
+        // where the path does not turn at all its rate has no derivative: none is taken
+        if (step && out.rate[i] > 0) {
+            const vec3 dw = angular(&step[first + i]);
+            vec3 change = vec3_add(vec3_cross(dw, t[i]), vec3_cross(w, dt[i]));
+            change = vec3_add(change, slope_at(D, i, h, dt));
+            out.change[i] = vec3_dot(turn, change) / out.rate[i];
+        }
+    }
+    return out;
 }
 
-static void follow_tendon(const equilibrium *e, int tendon,
-                          const double D[PAIR_STATIONS][PAIR_STATIONS])
+// integrals of a rate from `start` on up to a pair's stations; returned: to its end
+static double integrate_pair(double h, const double *rate, double start, double *upto)
 {
-    const plan_tendon *t = &e->plan->tendon[tendon];
-    const double mu = e->rod->spec[tendon].friction;
-    double *decay = e->decay + (size_t)tendon * (size_t)e->room;
-    double angle = 0;
-    for (int pair = 0; PAIR_STATIONS * pair < t->nstation; pair++) {
-        double rate[PAIR_STATIONS];
-        const double h = panel_length(e->plan, 2 * pair);
-        turning_rates(e, t, pair, D, rate);
-        for (int k = 0; k < PAIR_STATIONS; k += GAUSS_STATIONS) {
-            double end = angle;
-            for (int i = 0; i < GAUSS_STATIONS; i++) {
-                double here = angle;
-                for (int j = 0; j < GAUSS_STATIONS; j++) {
-                    here += h * gauss_inner[i][j] * rate[k + j];
-                }
-                decay[PAIR_STATIONS * pair + k + i] = exp(-mu * here);
-                end += h * gauss_weight[i] * rate[k + i];
+    for (int k = 0; k < PAIR_STATIONS; k += GAUSS_STATIONS) {
+        double end = start;
+        for (int i = 0; i < GAUSS_STATIONS; i++) {
+            upto[k + i] = start;
+            for (int j = 0; j < GAUSS_STATIONS; j++) {
+                upto[k + i] += h * gauss_inner[i][j] * rate[k + j];
             }
-            angle = end;
+            end += h * gauss_weight[i] * rate[k + i];
         }
+        start = end;
     }
+    return start;
+}
+
+static double *decay_of(const equilibrium *e, int tendon)
+{
+    return e->decay + (size_t)tendon * (size_t)e->room;
 }
 
 void balance_friction(equilibrium *e)
 {
-    double D[PAIR_STATIONS][PAIR_STATIONS];
-    pair_slopes(D);
-    for (int i = 0; i < e->rod->ntendon; i++) {
-        follow_tendon(e, i, (const double(*)[PAIR_STATIONS])D);
-    }
-}
-
-// --- derivatives
-
-// adds what tensions along the paths change by when the strains change by e->step
-static void add_friction(equilibrium *e, double *changed)
-{
-    const size_t n = (size_t)e->rod->ntendon * (size_t)e->room;
-    const double step = probe / fmax(newton_size(e, e->step), 1e-300);
-    memcpy(e->scratch, e->xi, (size_t)e->plan->nstation * sizeof *e->xi);
-    for (int side = 1; side >= -1; side -= 2) {
-        for (int i = 0; i < e->plan->nstation; i++) {
-            e->xi[i] = vec6_add(e->scratch[i], vec6_scale(side * step, e->step[i]));
-        }
-        balance_friction(e);
-        for (size_t i = 0; i < n; i++) {
-            changed[i] = side > 0 ? e->decay[i] : (changed[i] - e->decay[i]) / (2 * step);
-        }
-    }
-    memcpy(e->xi, e->scratch, (size_t)e->plan->nstation * sizeof *e->xi);
-    balance_friction(e);
+    const pair_matrix D = pair_slopes();
     for (int j = 0; j < e->rod->ntendon; j++) {
-        for (int i = 0; e->tension[j] > 0 && i < e->plan->tendon[j].nstation; i++) {
-            const double tau = e->tension[j] * changed[(size_t)j * (size_t)e->room + (size_t)i];
-            const vec6 f = vec6_scale(tau, balance_tendon(e, j, i));
-            const mat3 *R = &e->state[i].R;
-            e->rv[i] = vec3_add(e->rv[i], mat3_mul_vec(*R, (vec3){{f.a[0], f.a[1], f.a[2]}}));
-            e->rw[i] = vec3_add(e->rw[i], mat3_mul_vec(*R, (vec3){{f.a[3], f.a[4], f.a[5]}}));
+        const plan_tendon *t = &e->plan->tendon[j];
+        const double mu = e->rod->spec[j].friction;
+        double *decay = decay_of(e, j), angle = 0;
+        for (int pair = 0; mu > 0 && PAIR_STATIONS * pair < t->nstation; pair++) {
+            double upto[PAIR_STATIONS];
+            const path_turn_rate turn = turn_rate(e, t, pair, &D, NULL);
+            angle = integrate_pair(panel_length(e->plan, 2 * pair), turn.rate, angle, upto);
+            for (int i = 0; i < PAIR_STATIONS; i++) {
+                decay[PAIR_STATIONS * pair + i] = exp(-mu * upto[i]);
+            }
         }
     }
 }
 
-void friction_solve(equilibrium *e, double *change, vec6 *strain)
+// --- elongation
+
+// arclength of the tendon at rest that belongs to a station
+static double rest_weight(const equilibrium *e, const plan_tendon *t, int station)
 {
-    const size_t n = (size_t)e->plan->nstation, ntendon = (size_t)e->rod->ntendon;
-    memcpy(e->arc_v, e->rv, n * sizeof *e->rv);
-    memcpy(e->arc_w, e->rw, n * sizeof *e->rw);
-    memcpy(e->arc_tension, change, ntendon * sizeof *change);
-    pull_solve(e, change, e->step);
-    for (int k = 0; k < FOLLOWS; k++) {
-        memcpy(e->arc_step, e->step, n * sizeof *e->step);
-        memcpy(e->rv, e->arc_v, n * sizeof *e->rv);
-        memcpy(e->rw, e->arc_w, n * sizeof *e->rw);
-        memcpy(change, e->arc_tension, ntendon * sizeof *change);
-        add_friction(e, e->decay_change);
-        pull_solve(e, change, e->step);
-        for (size_t i = 0; i < n; i++) {
-            e->arc_step[i] = vec6_sub(e->step[i], e->arc_step[i]);
-        }
-        if (newton_size(e, e->arc_step) <= followed * newton_size(e, e->step)) {
-            break;
+    const plan *p = e->plan;
+    const vec6 rest = station_gather(p->rest, p->nstation, station);
+    return gauss_weight[station % GAUSS_STATIONS] * panel_length(p, station / GAUSS_STATIONS) *
+           vec3_norm(tendon_direction(&t->place[station], &rest));
+}
+
+double friction_stretched_length(const equilibrium *e, int tendon)
+{
+    if (!e->friction || !(e->rod->spec[tendon].friction > 0)) {
+        return e->rest_length[tendon];
+    }
+    const plan_tendon *t = &e->plan->tendon[tendon];
+    const double *decay = decay_of(e, tendon);
+    double sum = 0;
+    for (int i = 0; i < t->nstation; i++) {
+        sum += decay[i] * rest_weight(e, t, i);
+    }
+    return sum;
+}
+
+// --- how tensions follow the strains
+
+bool friction_follows(const equilibrium *e)
+{
+    for (int j = 0; e->friction && j < e->rod->ntendon; j++) {
+        if (e->rod->spec[j].friction > 0 && e->tension[j] > 0) {
+            return true;
         }
     }
-    if (strain != e->step) {
-        memcpy(strain, e->step, n * sizeof *strain);
+    return false;
+}
+
+static void add_tension_change(equilibrium *e, int tendon, int station, double change)
+{
+    const vec6 f = vec6_scale(change, balance_tendon(e, tendon, station));
+    const mat3 *R = &e->state[station].R;
+    vec3 *rv = &e->rv[station], *rw = &e->rw[station];
+    *rv = vec3_add(*rv, mat3_mul_vec(*R, (vec3){{f.a[0], f.a[1], f.a[2]}}));
+    *rw = vec3_add(*rw, mat3_mul_vec(*R, (vec3){{f.a[3], f.a[4], f.a[5]}}));
+}
+
+void friction_misfits(equilibrium *e, const vec6 *step, double *change)
+{
+    const pair_matrix D = pair_slopes();
+    for (int j = 0; j < e->rod->ntendon; j++) {
+        const plan_tendon *t = &e->plan->tendon[j];
+        const tendon_spec *spec = &e->rod->spec[j];
+        const double *decay = decay_of(e, j), lost = -spec->friction * e->tension[j];
+        double angle = 0, stretched = 0;
+        for (int pair = 0; lost < 0 && PAIR_STATIONS * pair < t->nstation; pair++) {
+            double upto[PAIR_STATIONS];
+            const path_turn_rate turn = turn_rate(e, t, pair, &D, step);
+            angle = integrate_pair(panel_length(e->plan, 2 * pair), turn.change, angle, upto);
+            for (int i = 0; i < PAIR_STATIONS; i++) {
+                const int station = PAIR_STATIONS * pair + i;
+                const double tau = lost * decay[station] * upto[i];
+                add_tension_change(e, j, station, tau);
+                stretched += spec->EA > 0 ? tau * rest_weight(e, t, station) : 0;
+            }
+        }
+        change[j] += spec->EA > 0 ? stretched / spec->EA : 0;
     }
 }

@@ -47,7 +47,6 @@ static status take_stations(equilibrium *e, size_t n)
     TRY(TAKE(e->direction, n));
     TRY(TAKE(e->arc_step, n));
     TRY(TAKE(e->decay, n * (size_t)e->rod->ntendon));
-    TRY(TAKE(e->decay_change, n * (size_t)e->rod->ntendon));
 
 done:
     return st;
@@ -93,6 +92,30 @@ done:
     return st;
 }
 
+static status take_follow(follow_room *f, size_t nstation, size_t ntendon)
+{
+    status st = OK;
+    TRY(TAKE(f->v, nstation));
+    TRY(TAKE(f->w, nstation));
+    TRY(TAKE(f->given, ntendon));
+    TRY(TAKE(f->change, ntendon));
+    TRY(TAKE(f->x, nstation));
+    TRY(TAKE(f->basis, nstation * (FRICTION_VECTORS + 1)));
+
+done:
+    return st;
+}
+
+static bool any_friction(const rod *r)
+{
+    for (int i = 0; i < r->ntendon; i++) {
+        if (r->spec[i].friction > 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
 status equilibrium_make(const rod *r, equilibrium **out)
 {
     status st = OK;
@@ -108,6 +131,9 @@ status equilibrium_make(const rod *r, equilibrium **out)
     TRY(take_stations(e, (size_t)e->room));
     TRY(take_nodes(e, (size_t)e->room / GAUSS_STATIONS + 1));
     TRY(take_tendons(e, (size_t)r->ntendon));
+    if (any_friction(r)) {
+        TRY(take_follow(&e->follow, (size_t)e->room, (size_t)r->ntendon));
+    }
     *out = e; // ownership passes only when all is well
     e = NULL;
 
@@ -150,7 +176,12 @@ void equilibrium_free(equilibrium *e)
                      e->direction,
                      e->arc_step,
                      e->decay,
-                     e->decay_change,
+                     e->follow.v,
+                     e->follow.w,
+                     e->follow.given,
+                     e->follow.change,
+                     e->follow.x,
+                     e->follow.basis,
                      e->node,
                      e->node_from,
                      e->node_to,

@@ -48,6 +48,10 @@ static void present_misfits(equilibrium *e)
     }
 }
 
+// what a linear answer with friction may leave out: below what the tangent leaves, and sharper for
+// the way's slope, that tells limit points
+static const double step_left = 1e-5, slope_left = 1e-9;
+
 void newton_step(equilibrium *e)
 {
     if (pull_unknown(e)) {
@@ -57,7 +61,9 @@ void newton_step(equilibrium *e)
         }
     }
     present_misfits(e);
-    pull_solve(e, e->tension_step, e->step);
+    if (!friction_solve(e, step_left, e->tension_step, e->step)) {
+        e->step[0].a[0] = NAN; // no step
+    }
 }
 
 // a tendon keeps this part of its length in one step, and no rod turns more than this [rad]
@@ -101,15 +107,12 @@ static const double tangent_error = 1e-3;
 // ... and after the first step this times its square
 static const double first_square = 2;
 
-static double left_over(const equilibrium *e, double size, double before)
+static double left_over(double size, double before)
 {
     if (before == HUGE_VAL) {
-        return e->friction ? HUGE_VAL : size * fmax(first_square * size, tangent_error);
+        return size * fmax(first_square * size, tangent_error);
     }
     const double rate = size / before;
-    if (e->friction) {
-        return rate < 1 ? size * rate / (1 - rate) : HUGE_VAL;
-    }
     return size * fmax(rate * rate, tangent_error);
 }
 
@@ -140,8 +143,7 @@ bool newton_correct(equilibrium *e, double tolerance, int most, double *moved)
         if (growths > 1) {
             return false;
         }
-        if (!changed && share == 1 &&
-            (size <= tolerance || left_over(e, size, before) <= tolerance)) {
+        if (!changed && share == 1 && (size <= tolerance || left_over(size, before) <= tolerance)) {
             return true;
         }
         before = changed ? HUGE_VAL : size;
@@ -188,5 +190,6 @@ void newton_slope(equilibrium *e)
     for (int i = 0; i < n; i++) {
         e->tension_slope[i] = e->pulled[i] ? e->from.pull[i] - e->to.pull[i] : 0;
     }
-    pull_solve(e, e->tension_slope, e->slope);
+    // where it is not found, what there is predicts well enough
+    friction_solve(e, slope_left, e->tension_slope, e->slope);
 }

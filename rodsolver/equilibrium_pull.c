@@ -12,18 +12,16 @@ static double pull_at(const equilibrium *e, int i)
     return (1 - e->factor) * e->from.pull[i] + e->factor * e->to.pull[i];
 }
 
-// elongation per tension of the whole tendon [m/N]
-static double tendon_compliance(const equilibrium *e, int i)
+double pull_compliance(const equilibrium *e, int i)
 {
     const tendon_spec *t = &e->rod->spec[i];
-    return t->EA > 0 ? (e->rest_length[i] + t->outside) / t->EA : 0;
+    return t->EA > 0 ? (friction_stretched_length(e, i) + t->outside) / t->EA : 0;
 }
 
 // what is too long inside the body: positive pulls
 double pull_excess(const equilibrium *e, int i)
 {
-    return e->length[i] + pull_at(e, i) - e->rest_length[i] -
-           tendon_compliance(e, i) * e->tension[i];
+    return e->length[i] + pull_at(e, i) - e->rest_length[i] - pull_compliance(e, i) * e->tension[i];
 }
 
 static double decay_at(const equilibrium *e, int tendon, int station)
@@ -84,7 +82,7 @@ static void length_matrix(equilibrium *e)
             const bool both = is_unknown(e, p) && is_unknown(e, q);
             T[p * n + q] = both ? pull_length_change(e, p, e->scratch) : 0;
         }
-        T[q * n + q] = is_unknown(e, q) ? T[q * n + q] - tendon_compliance(e, q) : -1;
+        T[q * n + q] = is_unknown(e, q) ? T[q * n + q] - pull_compliance(e, q) : -1;
     }
 }
 
