@@ -7,7 +7,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { VECTORS = FRICTION_VECTORS, CYCLES = 6 };
+enum { VECTORS = FRICTION_VECTORS, CYCLES = 3 };
 
 typedef struct krylov {
     double H[VECTORS][VECTORS + 1]; // column after column, turned to a triangle

@@ -50,7 +50,7 @@ static void present_misfits(equilibrium *e)
 
 // what a linear answer with friction may leave out: below what the tangent leaves, and sharper for
 // the way's slope, that tells limit points
-static const double step_left = 1e-5, slope_left = 1e-9;
+static const double step_left = 1e-5, slope_left = 1e-8;
 
 void newton_step(equilibrium *e)
 {
