@@ -32,6 +32,8 @@ status chain_rods(const command *cmd, const case_data *c, run_result *out); // a
 void chain_tendon_place(const tendon_spec *t, double s, double place[2]);
 // Of tendons and loads; rods has room for them.
 void chain_rod_names(const rod_case *rc, rod_result *rods);
+// What pictures show beside the solutions; solves for the shape at rest.
+status chain_rod_sketch(const rod_case *rc, rod_state *state, rod_result *rods);
 // ERR_NUMERIC where a solution ended at a limit point: the result is whole all the same, and marks
 // it.
 status chain_rod_verdict(const case_data *c, const run_result *r);

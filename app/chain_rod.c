@@ -240,6 +240,7 @@ status chain_rods(const command *cmd, const case_data *c, run_result *out)
     }
     TRY(case_place(c, rod_make(&spec, &options, &r), rc->at));
     TRY(rod_state_make(r, &state));
+    TRY(chain_rod_sketch(rc, state, &out->rod));
     TRY(solve_all(cmd, c, state, &ask, &all, &out->rod));
     TRY(find_strains(c, &all, out));
     out->has_rod = true;

@@ -10,7 +10,7 @@
 static const double degrees = 180 / 3.14159265358979323846;
 
 // tendons whose numbers fit beside one another; the others stand in the JSON and the tables
-enum { SHOWN_TENDONS = 6, SHOWN_LOADS = 4, SHOWN_CRITICAL = 12 };
+enum { SHOWN_TENDONS = 6, SHOWN_LOADS = 4, SHOWN_CRITICAL = 12, NAMED = 12 };
 
 // what the table holds beyond tensions and tips
 typedef struct columns {
@@ -103,6 +103,10 @@ static void print_run(const run_result *r, const columns *c, const struct rod_ru
 
 static void print_names(const char *kind, int n, char (*names)[RESULT_NAME])
 {
+    if (n > NAMED) {
+        printf(", %d %ss", n, kind);
+        return;
+    }
     if (n > 0) {
         printf(", %s%s", kind, n == 1 ? "" : "s");
     }

@@ -1,106 +1,98 @@
 // reports/figure_curvature.c
-// Curvature and twist along the rod for all tensions, in the body frame.
-#include "reports/figure_rod_style.h"
+// Strains and the wrench that the section itself carries, along the rod in the body frame.
+#include "reports/figure_along.h"
 #include "reports/figures.h"
 
 #include <math.h>
 
-enum { PANELS = 4 };
-
-static const double side = 28, head = 74, sheet_width = 1000, panel_height = 210;
-static const double axis_left = 58, axis_below = 58, gap = 22, caption = 20;
-
-typedef struct quantity {
-    const char *name, *label;
-} quantity;
-
-static const quantity quantities[PANELS] = {
-    {"Curvature about x", "κx, 1/m"},
-    {"Curvature about y", "κy, 1/m"},
-    {"Size of the curvature", "|κ|, 1/m"},
-    {"Twist about z", "τ, 1/m"},
-};
-
-static double value_of(const struct rod_run *run, int panel, int point)
+static double curvature(const rod_result *rod, const struct rod_run *run, int point, int index)
 {
-    const double *k = run->curvature[point];
-    return panel == 2 ? hypot(k[0], k[1]) : k[panel == 3 ? 2 : panel];
+    (void)rod;
+    return run->curvature[point][index];
 }
 
-static plot panel_plot(const run_result *r, int panel, box at)
+static double curvature_size(const rod_result *rod, const struct rod_run *run, int point, int index)
 {
-    const rod_result *rod = &r->rod;
-    plot p = {at, 0, r->rod_length * 1e3, 0, 0};
-    double largest = 0;
-    for (int i = 0; i < rod->nsolution; i++) {
-        for (int k = 0; k < rod->npoint; k++) {
-            const double v = value_of(&rod->run[i], panel, k);
-            p.y0 = fmin(p.y0, v);
-            p.y1 = fmax(p.y1, v);
-            largest = fmax(largest, value_of(&rod->run[i], 2, k));
-        }
+    (void)rod;
+    (void)index;
+    return hypot(run->curvature[point][0], run->curvature[point][1]);
+}
+
+static double elongation(const rod_result *rod, const struct rod_run *run, int point, int index)
+{
+    (void)rod;
+    return 100 * run->stretch[point][index];
+}
+
+static double shear_size(const rod_result *rod, const struct rod_run *run, int point, int index)
+{
+    (void)rod;
+    (void)index;
+    return 100 * hypot(run->stretch[point][0], run->stretch[point][1]);
+}
+
+static double force(const rod_result *rod, const struct rod_run *run, int point, int index)
+{
+    (void)rod;
+    return run->wrench[point].a[index];
+}
+
+static double moment(const rod_result *rod, const struct rod_run *run, int point, int index)
+{
+    (void)rod;
+    return 1e3 * run->wrench[point].a[index];
+}
+
+static status write_sheet(const run_result *r, along_sheet *s, const char *dir)
+{
+    status st = OK;
+    rod_show show = {0};
+    if (!r->has_rod || r->rod.nsolution == 0 || r->rod.npoint < 2) {
+        return OK;
     }
-    // what is rounding beside the curvature itself is drawn as the nothing that it is
-    range_pad(&p.y0, &p.y1, 0.06, fmax(0.02 * largest, 1e-9));
-    return p;
-}
+    TRY(rod_show_make(&r->rod, &show));
+    s->r = r;
+    s->show = &show;
+    TRY(along_write(s, dir));
 
-static void panel(canvas *c, const run_result *r, int number, box at)
-{
-    const rod_result *rod = &r->rod;
-    const plot p = panel_plot(r, number, at);
-    say(c, at.x, at.y - 7, LOOK_HEADING, "%s", quantities[number].name);
-    plot_frame(c, &p, "arclength s, mm", quantities[number].label);
-    canvas_clip(c, at.x, at.y, at.w, at.h);
-    for (int i = 0; i < rod->nsolution; i++) {
-        for (int k = 0; k < rod->npoint; k++) {
-            const double x = plot_x(&p, rod->run[i].s[k] * 1e3),
-                         y = plot_y(&p, value_of(&rod->run[i], number, k));
-            if (k == 0) {
-                canvas_move(c, x, y);
-            } else {
-                canvas_line(c, x, y);
-            }
-        }
-        canvas_stroke(c, rod_ink(rod, i), 2.2);
-    }
-    canvas_unclip(c);
-}
-
-static double sheet_height(const run_result *r)
-{
-    return head + 2 * (panel_height + axis_below + caption) + rod_legend_height(&r->rod) + 24;
-}
-
-static status draw(canvas *c, const void *data)
-{
-    const run_result *r = data;
-    const double width = (sheet_width - 2 * side - 2 * axis_left - gap) / 2;
-
-    say(c, side, 36, LOOK_TITLE, "Curvature and twist along the rod");
-    say_within(c, side, 56, sheet_width - 2 * side, LOOK_SMALL, r->title);
-    for (int i = 0; i < PANELS; i++) {
-        const double x = side + axis_left + (i % 2) * (width + gap + axis_left);
-        const double y = head + caption + (i / 2) * (panel_height + axis_below + caption);
-        panel(c, r, i, (box){x, y, width, panel_height});
-    }
-    const double y = head + 2 * (panel_height + axis_below + caption);
-    rod_legend(c, &r->rod, (box){side, y, sheet_width - 2 * side + 28, 0}, ROD_NOTE_CURVATURE);
-    return OK;
+done:
+    rod_show_free(&show);
+    return st;
 }
 
 status figure_curvature(const run_result *r, const char *dir)
 {
-    if (!r->has_rod || r->rod.nsolution == 0 || r->rod.npoint < 2) {
-        return OK;
-    }
-    const picture p = {
+    along_sheet s = {
         .name = "curvature",
-        .title = "Components and size of the curvature along the rod for all tensions",
-        .width = sheet_width,
-        .height = sheet_height(r),
-        .draw = draw,
-        .data = r,
+        .title = "Curvature, twist and strains along the rod",
+        .alt = "Curvature, twist, elongation and shear along the rod for all solutions",
+        .npanel = 6,
+        .panel = {{"Curvature about x", "κx, 1/m", curvature, 0, 0, 0},
+                  {"Curvature about y", "κy, 1/m", curvature, 1, 0, 0},
+                  {"Size of the curvature", "|κ|, 1/m", curvature_size, 0, 0, 0},
+                  {"Twist about z", "τ, 1/m", curvature, 2, 0, 0},
+                  {"Elongation of the centreline", "%", elongation, 2, 1, 0},
+                  {"Size of the shear", "%", shear_size, 0, 1, 0}},
+        .note = ROD_NOTE_CURVATURE,
     };
-    return picture_write(&p, dir);
+    return write_sheet(r, &s, dir);
+}
+
+status figure_wrench(const run_result *r, const char *dir)
+{
+    along_sheet s = {
+        .name = "wrench",
+        .title = "What the section carries along the rod",
+        .alt = "Force and moment of the section along the rod for all solutions",
+        .npanel = 6,
+        .panel = {{"Shear force along x", "nx, N", force, 0, 0, 0},
+                  {"Shear force along y", "ny, N", force, 1, 0, 0},
+                  {"Axial force", "nz, N", force, 2, 0, 0},
+                  {"Moment about x", "mx, N mm", moment, 3, 1, 0},
+                  {"Moment about y", "my, N mm", moment, 4, 1, 0},
+                  {"Torque about z", "mz, N mm", moment, 5, 1, 0}},
+        .remark = "In the body frame, moments about the geometric centre; the tendons' own pull is "
+                  "not part of it.",
+    };
+    return write_sheet(r, &s, dir);
 }

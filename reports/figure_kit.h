@@ -64,6 +64,8 @@ void range_pad(double *low, double *high, double part, double least);
 void scale_bar(canvas *c, double right, double y, double wanted, double points_per_mm);
 
 void arrow(canvas *c, double x0, double y0, double x1, double y1, colour ink, double width);
+// Only its outline, filled with white.
+void arrow_hollow(canvas *c, double x0, double y0, double x1, double y1, colour ink, double width);
 // With a white border, to stand out against what it lies on.
 void arrow_bordered(canvas *c, double x0, double y0, double x1, double y1, colour ink,
                     double width);

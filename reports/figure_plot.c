@@ -54,6 +54,16 @@ static ticks ticks_between(double low, double high, double points, double spacin
     return (ticks){first, step, sound ? (int)count : 0, decimals_of(step)};
 }
 
+// what would have many zeros after its point takes a power of ten
+static number_text tick_label(double value, const ticks *t)
+{
+    if (fabs(value) < 1e-9 * t->step) {
+        return number_fixed(0, t->decimals > 4 ? 0 : t->decimals);
+    }
+    return t->decimals > 4 || fabs(value) >= 1e6 ? number_short(value, 4)
+                                                 : number_fixed(value, t->decimals);
+}
+
 static void x_ticks(canvas *c, const plot *p)
 {
     const ticks t = ticks_between(p->x0, p->x1, p->at.w, 52);
@@ -62,7 +72,7 @@ static void x_ticks(canvas *c, const plot *p)
         canvas_segment(c, x, p->at.y, x, p->at.y + p->at.h);
         canvas_stroke(c, fabs(value) < 1e-9 * t.step ? INK_FAINT : INK_GRID, 0.8);
         say(c, x, p->at.y + p->at.h + 14, look_aligned(LOOK_TICK, TEXT_CENTRE), "%s",
-            number_fixed(value, t.decimals).text);
+            tick_label(value, &t).text);
     }
 }
 
@@ -74,7 +84,7 @@ static double y_ticks(canvas *c, const plot *p)
     double widest = 0;
     for (int i = 0; i < t.count; i++) {
         const double value = t.first + i * t.step, y = plot_y(p, value);
-        const number_text label = number_fixed(value, t.decimals);
+        const number_text label = tick_label(value, &t);
         canvas_segment(c, p->at.x, y, p->at.x + p->at.w, y);
         canvas_stroke(c, fabs(value) < 1e-9 * t.step ? INK_FAINT : INK_GRID, 0.8);
         canvas_text(c, p->at.x - 6, y + 3.7, &look, label.text);
@@ -148,5 +158,12 @@ void arrow_bordered(canvas *c, double x0, double y0, double x1, double y1, colou
     if (arrow_path(c, x0, y0, x1, y1, width)) {
         canvas_stroke(c, (colour){1, 1, 1, 1}, 2.4);
         arrow(c, x0, y0, x1, y1, ink, width);
+    }
+}
+
+void arrow_hollow(canvas *c, double x0, double y0, double x1, double y1, colour ink, double width)
+{
+    if (arrow_path(c, x0, y0, x1, y1, width)) {
+        canvas_fill_stroke(c, (colour){1, 1, 1, 1}, ink, 1.1);
     }
 }

@@ -2,91 +2,97 @@
 #include "reports/figure_rod_style.h"
 
 #include <math.h>
+#include <stdarg.h>
 #include <stdio.h>
 
 enum { COLUMNS = 3, MAX_ROWS = 8 };
 
 static const double row = 19;
 
-// the first tendons tell the families apart
-enum { MOST_TOLD = 32 };
+// --- names
 
-static unsigned pulled(const rod_result *rod, int solution)
+typedef struct words {
+    char *text;
+    size_t size, used;
+} words;
+
+static void add(words *w, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+static void add(words *w, const char *format, ...)
 {
-    unsigned set = 0;
-    for (int i = 0; i < rod->ntendon && i < MOST_TOLD; i++) {
-        set |= rod->run[solution].tension[i] > 0 ? 1u << i : 0;
+    va_list arguments;
+    va_start(arguments, format);
+    if (w->used < w->size) {
+        const int n = vsnprintf(w->text + w->used, w->size - w->used, format, arguments);
+        w->used += n > 0 ? (size_t)n : 0;
     }
-    return set;
+    va_end(arguments);
 }
 
-static double total_tension(const rod_result *rod, int solution)
+static void add_tendon(words *w, const rod_result *rod, const struct rod_run *run, int i)
 {
-    double sum = 0;
-    for (int i = 0; i < rod->ntendon; i++) {
-        sum += rod->run[solution].tension[i];
+    const char *comma = w->used ? ", " : "", *name = rod->tendon_name[i];
+    const number_text tension = number_short(run->tension[i], 3);
+    if (result_is_slack(run, i)) {
+        add(w, "%s%s drawn %s mm (slack)", comma, name, number_short(1e3 * run->pull[i], 3).text);
+    } else if (!isnan(run->pull[i])) {
+        add(w, "%s%s drawn %s mm (%s N)", comma, name, number_short(1e3 * run->pull[i], 3).text,
+            tension.text);
+    } else if (run->tension[i] > 0) {
+        add(w, "%s%s %s N", comma, name, tension.text);
     }
-    return sum;
 }
 
-// place of a solution's family among the families, in order of appearance, and of the solution
-// within it by tension
-typedef struct family {
-    int number, count; // of the family, of families
-    int rank, size;    // within it
-} family;
-
-static family family_of(const rod_result *rod, int solution)
+void rod_label(const rod_show *show, int solution, char *text, size_t size)
 {
-    family f = {0};
-    const unsigned own = pulled(rod, solution);
-    for (int i = 0; i < rod->nsolution; i++) {
-        const unsigned set = pulled(rod, i);
-        int first = 1;
-        for (int k = 0; k < i; k++) {
-            first = first && pulled(rod, k) != set;
-        }
-        if (set == own) {
-            f.number = first ? f.count : f.number;
-            f.size++;
-            const double mine = total_tension(rod, solution), other = total_tension(rod, i);
-            f.rank += other < mine || (other == mine && i < solution);
-        }
-        f.count += first;
-    }
-    return f;
-}
-
-colour rod_ink(const rod_result *rod, int solution)
-{
-    const family f = family_of(rod, solution);
-    const double part = f.size > 1 ? (double)f.rank / (f.size - 1) : 1;
-    if (pulled(rod, solution) == 0) {
-        return INK_FAINT;
-    }
-    if (f.count == 1 && f.size > 1) {
-        return colour_ramp(0.8 - 0.8 * part);
-    }
-    const colour white = {1, 1, 1, 1}, hue = colour_series(f.number);
-    return colour_mix(white, hue, 0.45 + 0.55 * part);
-}
-
-void rod_label(const rod_result *rod, int solution, char *text, size_t size)
-{
-    size_t used = 0;
+    const rod_result *rod = show->rod;
+    const struct rod_run *run = &rod->run[solution];
+    words w = {text, size, 0};
     text[0] = 0;
     for (int i = 0; i < rod->ntendon; i++) {
-        const double tension = rod->run[solution].tension[i];
-        if (tension > 0 && used < size) {
-            const int n = snprintf(text + used, size - used, "%s%s %s N", used ? ", " : "",
-                                   rod->tendon_name[i], number_short(tension, 3).text);
-            used += n > 0 ? (size_t)n : 0;
-        }
+        add_tendon(&w, rod, run, i);
     }
-    if (used == 0) {
-        (void)snprintf(text, size, "no tension");
+    if (w.used == 0) {
+        add(&w, "no tension");
+    }
+    for (int i = 0; i < rod->nload && show->factors_vary; i++) {
+        add(&w, ", %s ×%s", rod->load_name[i], number_short(run->load[i], 3).text);
     }
 }
+
+// what does not change along the line
+static void line_label(const rod_show *show, const rod_line *line, char *text, size_t size)
+{
+    const rod_result *rod = show->rod;
+    words w = {text, size, 0};
+    char name[2 * RESULT_NAME];
+    const struct rod_run *first = &rod->run[line->first],
+                         *next = &rod->run[line->first + (line->count > 1)];
+    text[0] = 0;
+    for (int kind = 0; kind < GIVEN_KINDS; kind++) {
+        for (int i = 0; i < (kind == GIVEN_LOAD ? rod->nload : rod->ntendon); i++) {
+            const rod_quantity q = {kind, i};
+            const double value = rod_quantity_value(first, q);
+            const bool plain =
+                value == (kind == GIVEN_LOAD) || value != rod_quantity_value(next, q);
+            rod_quantity_name(rod, q, name, sizeof name);
+            if (!plain) {
+                add(&w, "%s%s %s %s", w.used ? ", " : "", name, number_short(value, 3).text,
+                    rod_quantity_unit(q));
+            }
+        }
+    }
+    rod_quantity_name(rod, line->lead, name, sizeof name);
+    if (w.used == 0) {
+        add(&w, "%s %s to %s %s", name, number_short(rod_quantity_value(first, line->lead), 3).text,
+            number_short(rod_quantity_value(&rod->run[line->first + line->count - 1], line->lead),
+                         3)
+                .text,
+            rod_quantity_unit(line->lead));
+    }
+}
+
+// --- notes
 
 curvature_range rod_curvature_range(const rod_result *rod, int solution)
 {
@@ -105,33 +111,19 @@ curvature_range rod_curvature_range(const rod_result *rod, int solution)
     return c;
 }
 
-// families that stand side by side, one in each column, are read best
-static int legend_rows(const rod_result *rod)
+static void bend_text(const struct rod_run *run, char *text, size_t size)
 {
-    int rows = (rod->nsolution + COLUMNS - 1) / COLUMNS, largest = 0;
-    for (int i = 0; i < rod->nsolution; i++) {
-        const family f = family_of(rod, i);
-        largest = f.size > largest ? f.size : largest;
-        if (f.count == 1) {
-            return rows < MAX_ROWS ? rows : MAX_ROWS;
-        }
+    const number_text bend = number_fixed(run->total_bend_rad * 180 / acos(-1.0), 1);
+    if (run->fraction < 1) {
+        (void)snprintf(text, size, "bend %s° at %s", bend.text,
+                       number_fixed(run->fraction, 3).text);
+    } else {
+        (void)snprintf(text, size, "bend %s°", bend.text);
     }
-    rows = largest * COLUMNS >= rod->nsolution ? largest : rows;
-    return rows < MAX_ROWS ? rows : MAX_ROWS;
 }
 
-double rod_legend_height(const rod_result *rod)
+static void curvature_text(const rod_result *rod, int solution, char *text, size_t size)
 {
-    return row * (legend_rows(rod) + (rod->nsolution > COLUMNS * MAX_ROWS));
-}
-
-static void note_text(const rod_result *rod, int solution, rod_note note, char *text, size_t size)
-{
-    if (note == ROD_NOTE_BEND) {
-        const double bend = rod->run[solution].total_bend_rad * 180 / acos(-1.0);
-        (void)snprintf(text, size, "bend %s°", number_fixed(bend, 1).text);
-        return;
-    }
     const curvature_range k = rod_curvature_range(rod, solution);
     const number_text least = number_fixed(k.least, 1);
     if (k.least < 0.95 * fmin(k.base, k.tip)) {
@@ -144,33 +136,125 @@ static void note_text(const rod_result *rod, int solution, rod_note note, char *
     }
 }
 
-static double widest_label(canvas *c, const rod_result *rod, int shown, double most)
+static void note_text(const rod_result *rod, int solution, rod_note note, char *text, size_t size)
+{
+    text[0] = 0;
+    if (note == ROD_NOTE_BEND) {
+        bend_text(&rod->run[solution], text, size);
+    } else if (note == ROD_NOTE_CURVATURE) {
+        curvature_text(rod, solution, text, size);
+    }
+}
+
+// --- legend
+
+static int entries(const rod_show *show)
+{
+    return show->sweep ? show->nline : show->rod->nsolution;
+}
+
+// families that stand side by side, one in each column, are read best
+static int legend_rows(const rod_show *show)
+{
+    int rows = (entries(show) + COLUMNS - 1) / COLUMNS, largest = 0;
+    for (int i = 0; i < show->nline && !show->sweep; i++) {
+        largest = show->line[i].count > largest ? show->line[i].count : largest;
+    }
+    const bool side_by_side = show->nline > 1 && largest * COLUMNS >= entries(show);
+    rows = side_by_side && largest > 1 ? largest : rows;
+    return rows < MAX_ROWS ? rows : MAX_ROWS;
+}
+
+static bool one_bar(const rod_show *show)
+{
+    return show->sweep && show->nline == 1;
+}
+
+double rod_legend_height(const rod_show *show)
+{
+    return one_bar(show) ? 2 * row
+                         : row * (legend_rows(show) + (entries(show) > COLUMNS * MAX_ROWS));
+}
+
+static void entry_label(const rod_show *show, int i, char *text, size_t size)
+{
+    if (show->sweep) {
+        line_label(show, &show->line[i], text, size);
+    } else {
+        rod_label(show, i, text, size);
+    }
+}
+
+static double widest_label(canvas *c, const rod_show *show, int shown, double most)
 {
     double widest = 0;
-    for (int i = 0; i < rod->nsolution && i < shown; i++) {
+    for (int i = 0; i < entries(show) && i < shown; i++) {
         char label[256];
-        rod_label(rod, i, label, sizeof label);
+        entry_label(show, i, label, sizeof label);
         widest = fmax(widest, canvas_text_width(c, &LOOK_SMALL, label));
     }
     return fmin(widest + 1, most);
 }
 
-void rod_legend(canvas *c, const rod_result *rod, box at, rod_note note)
+// the colours along the one line of a sweep
+static void bar(canvas *c, const rod_show *show, box at)
 {
-    const int rows = legend_rows(rod), shown = rows * COLUMNS;
-    const double width = at.w / COLUMNS, label_width = widest_label(c, rod, shown, 0.48 * width);
-    for (int i = 0; i < rod->nsolution && i < shown; i++) {
+    const double width = 260, thick = 10;
+    const rod_result *rod = show->rod;
+    const rod_line *l = &show->line[0];
+    char name[2 * RESULT_NAME];
+    rod_quantity_name(rod, l->lead, name, sizeof name);
+    for (int i = 0; i < show->nshown; i++) {
+        canvas_rectangle(c, at.x + width * i / show->nshown, at.y + 4, width / show->nshown + 0.4,
+                         thick);
+        canvas_fill(c, show->ink[show->shown[i]]);
+    }
+    const text_look look = look_inked(LOOK_SMALL, INK);
+    say(c, at.x, at.y + 29, look, "%s %s",
+        number_short(rod_quantity_value(&rod->run[0], l->lead), 4).text,
+        rod_quantity_unit(l->lead));
+    say(c, at.x + width, at.y + 29, look_aligned(look, TEXT_RIGHT), "%s %s",
+        number_short(rod_quantity_value(&rod->run[l->count - 1], l->lead), 4).text,
+        rod_quantity_unit(l->lead));
+    say_within(c, at.x + width + 16, at.y + 13, at.w - width - 16, look, name);
+    if (show->nshown < rod->nsolution) {
+        say(c, at.x + width + 16, at.y + 29, LOOK_SMALL, "%d solutions, %d of them drawn",
+            rod->nsolution, show->nshown);
+    } else {
+        say(c, at.x + width + 16, at.y + 29, LOOK_SMALL, "%d solutions", rod->nsolution);
+    }
+}
+
+void rod_legend(canvas *c, const rod_show *show, box at, rod_note note)
+{
+    const int rows = legend_rows(show), shown = rows * COLUMNS;
+    const int columns = (entries(show) + rows - 1) / rows;
+    const double width = at.w / (columns < COLUMNS ? columns : COLUMNS);
+    const bool plain = show->sweep || note == ROD_NOTE_NONE;
+    const double label_width = widest_label(c, show, shown, plain ? width - 44 : 0.46 * width);
+    if (one_bar(show)) {
+        bar(c, show, at);
+        return;
+    }
+    for (int i = 0; i < entries(show) && i < shown; i++) {
         const double x = at.x + width * (i / rows), y = at.y + 12 + row * (i % rows);
         char label[256], number[160];
-        rod_label(rod, i, label, sizeof label);
-        note_text(rod, i, note, number, sizeof number);
+        entry_label(show, i, label, sizeof label);
         canvas_segment(c, x, y - 4, x + 24, y - 4);
-        canvas_stroke(c, rod_ink(rod, i), 3);
+        if (!show->sweep && show->rod->run[i].stable == 0) {
+            canvas_dash(c, 5, 2.5);
+        }
+        canvas_stroke(c, show->ink[show->sweep ? show->line[i].first : i], 3);
+        canvas_dash(c, 0, 0);
         say_within(c, x + 32, y, label_width, look_inked(LOOK_SMALL, INK), label);
-        canvas_text(c, x + 32 + label_width + 14, y, &LOOK_SMALL, number);
+        if (!plain) {
+            note_text(show->rod, i, note, number, sizeof number);
+            say_within(c, x + 32 + label_width + 14, y, width - label_width - 50, LOOK_SMALL,
+                       number);
+        }
     }
-    if (rod->nsolution > shown) {
-        say(c, at.x, at.y + 12 + row * rows, LOOK_SMALL, "and %d more, drawn but not named",
-            rod->nsolution - shown);
+    if (entries(show) > shown) {
+        say(c, at.x, at.y + 12 + row * rows, LOOK_SMALL, "and %d more, not named",
+            entries(show) - shown);
     }
 }

@@ -1,22 +1,18 @@
 // reports/figure_rod_style.h
-// One colour and one name for each tension of a rod, the same in every picture.
+// Names and legends of a rod's solutions, the same in every picture.
 #pragma once
 
-#include "reports/figure_kit.h"
-#include "reports/result.h"
+#include "reports/rod_show.h"
 
-// Solutions that pull the same tendons share a hue and darken with the tension; where there is one
-// such family only, the ramp from dark blue to yellow-green is used.
-colour rod_ink(const rod_result *rod, int solution);
+// "t1 0.98 N, t2 drawn 3 mm (slack), tip force ×0.5"; "no tension"
+void rod_label(const rod_show *show, int solution, char *text, size_t size);
 
-// "t1 0.98 N, t2 0.2 N"; "no tension"
-void rod_label(const rod_result *rod, int solution, char *text, size_t size);
+typedef enum rod_note { ROD_NOTE_NONE, ROD_NOTE_BEND, ROD_NOTE_CURVATURE } rod_note;
 
-typedef enum rod_note { ROD_NOTE_BEND, ROD_NOTE_CURVATURE } rod_note;
-
-// Up to three columns of solutions with a number each.
-void rod_legend(canvas *c, const rod_result *rod, box at, rod_note note);
-double rod_legend_height(const rod_result *rod); // [points]
+// Up to three columns of solutions with a number each; of a sweep, its lines or its range of
+// colours.
+void rod_legend(canvas *c, const rod_show *show, box at, rod_note note);
+double rod_legend_height(const rod_show *show); // [points]
 
 // The size of the curvature along one solution: at both ends, smallest and where, largest.
 typedef struct curvature_range {

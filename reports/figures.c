@@ -8,7 +8,10 @@ status figures_all(const run_result *r, const char *dir)
     TRY(figure_stresses(r, dir));
     TRY(figure_segments(r, dir));
     TRY(figure_rods(r, dir));
+    TRY(figure_sweep(r, dir));
     TRY(figure_curvature(r, dir));
+    TRY(figure_wrench(r, dir));
+    TRY(figure_tendons(r, dir));
 
 done:
     return st;

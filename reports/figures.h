@@ -12,9 +12,13 @@ status figure_stresses(const run_result *r,
 status figure_segments(const run_result *r,
                        const char *dir); // segment: deformed, side by side, with undeformed outline
 status figure_rods(const run_result *r,
-                   const char *dir); // rods: shapes for all tensions, two projections
+                   const char *dir); // rods: shapes, loads and tendons from three sides
+status figure_sweep(const run_result *r,
+                    const char *dir); // sweep: tip, bend and strain against what is swept
 status figure_curvature(const run_result *r,
-                        const char *dir); // curvature: components and size along s
+                        const char *dir); // curvature: curvature, twist and strains along s
+status figure_wrench(const run_result *r, const char *dir);  // wrench: of the section, along s
+status figure_tendons(const run_result *r, const char *dir); // tendons: paths, tensions along s
 status figures_all(const run_result *r, const char *dir);
 
 // One self-contained page DIR/report.html with the figures inlined (SVG), tables and numbers.

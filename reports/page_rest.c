@@ -87,6 +87,42 @@ static bool pattern_turns(const law_along *along)
     return false;
 }
 
+static status tendon_assumptions(bytes *page, const rod_result *rod)
+{
+    enum { MOST_NAMED = 8 };
+    status st = OK;
+    PAGE("<li>Tendons lie without play along the routing that the case gives; their friction, "
+         "where it gives one, is that of being pulled. At the base:");
+    for (int i = 0; i < rod->ntendon && i < MOST_NAMED; i++) {
+        const double *at = rod->tendon_base[i];
+        PAGE("%s ", i ? "," : "");
+        TRY(page_escaped(page, rod->tendon_name[i]));
+        PAGE(" at radius %s mm", number_digits(1e3 * hypot(at[0], at[1]), 4).text);
+    }
+    PAGE("%s. Where a channel's radius was not measured it is an assumption, and a tenth of a "
+         "millimetre moves a soft rod's tip by millimetres.</li>\n",
+         rod->ntendon > MOST_NAMED ? ", …" : "");
+
+done:
+    return st;
+}
+
+static status rod_assumptions(bytes *page, const rod_result *rod)
+{
+    status st = OK;
+    TRY(rod->ntendon > 0 ? tendon_assumptions(page, rod) : OK);
+    if (rod->nload == 0) {
+        PAGE("<li>No gravity and no other load on the rod.</li>\n");
+    } else {
+        PAGE("<li>Loads act slowly: the answer is the equilibrium reached by growing loads and "
+             "tensions together from rest, or from the solution before.</li>\n");
+    }
+    PAGE("<li>The rod touches nothing but its base, not even itself.</li>\n");
+
+done:
+    return st;
+}
+
 status page_assumptions(bytes *page, const run_result *r)
 {
     status st = OK;
@@ -95,17 +131,7 @@ status page_assumptions(bytes *page, const run_result *r)
          "perfectly bonded where they meet.</li>\n",
          materials_are_plain(r) ? ", isotropic" : "");
     if (r->has_rod) {
-        PAGE("<li>Tendons run without friction under constant tension, along the routing that the "
-             "case gives. At the base:");
-        for (int i = 0; i < r->rod.ntendon; i++) {
-            const double *at = r->rod.tendon_base[i];
-            PAGE("%s ", i ? "," : "");
-            TRY(page_escaped(page, r->rod.tendon_name[i]));
-            PAGE(" at radius %.3f mm", 1e3 * hypot(at[0], at[1]));
-        }
-        PAGE(". Where a channel's radius was not measured it is an assumption, and a tenth of a "
-             "millimetre moves a soft rod's tip by millimetres.</li>\n"
-             "<li>No gravity and no other load on the rod.</li>\n");
+        TRY(rod_assumptions(page, &r->rod));
     }
     if (r->has_section && r->section_model == MODEL_CLASSICAL) {
         PAGE("<li>The classical model takes torsion and shear without warping: right for "

@@ -3,6 +3,7 @@
 #include "reports/fig4_paper.h"
 #include "reports/figures.h"
 #include "reports/page_kit.h"
+#include "reports/page_rod_parts.h"
 
 #include <math.h>
 #include <stdarg.h>
@@ -57,48 +58,101 @@ static void section_lines(summary *s, const run_result *r)
         r->section.nstation == 1 ? "" : "s", at->law.relative_error);
 }
 
+// as many decimals as tell a hundred-thousandth of that length
+static int decimals_for(double length_mm)
+{
+    const int decimals = (int)ceil(5 - log10(length_mm > 0 ? length_mm : 1));
+    return decimals < 1 ? 1 : decimals < 10 ? decimals : 10;
+}
+
+typedef struct mark_text {
+    char text[24];
+} mark_text;
+
+// the worst that is to be said about a solution
+static mark_text mark_of(const struct rod_run *run)
+{
+    mark_text m = {""};
+    if (rod_error_is_large(run)) {
+        (void)snprintf(m.text, sizeof m.text, " err %.1g!", run->relative_error);
+    } else if (run->fraction < 1) {
+        (void)snprintf(m.text, sizeof m.text, " at %.3g!", run->fraction);
+    } else if (run->stable == 0) {
+        (void)snprintf(m.text, sizeof m.text, " unstable");
+    }
+    return m;
+}
+
 static void rod_line(summary *s, const run_result *r, int solution)
 {
     const struct rod_run *run = &r->rod.run[solution];
     char pulled[40] = "";
+    const int d = decimals_for(r->rod_length * 1e3);
+    const double least = 0.5 * pow(10, -d);
     for (int i = 0; i < r->rod.ntendon; i++) {
         const size_t used = strlen(pulled);
-        (void)snprintf(pulled + used, sizeof pulled - used, "%s%.3g", i ? " " : "",
-                       run->tension[i]);
+        if (result_is_slack(run, i)) {
+            (void)snprintf(pulled + used, sizeof pulled - used, "%sslack", i ? " " : "");
+        } else {
+            (void)snprintf(pulled + used, sizeof pulled - used, "%s%.3g", i ? " " : "",
+                           run->tension[i]);
+        }
     }
-    add(s, "         %-18s tip (%8.3f, %8.3f, %8.3f) mm  bend %6.1f deg  strain %4.1f %%%s", pulled,
-        plain(run->tip.p.a[0] * 1e3, 5e-4), plain(run->tip.p.a[1] * 1e3, 5e-4),
-        plain(run->tip.p.a[2] * 1e3, 5e-4), degrees(run->total_bend_rad), run->largest_strain * 100,
-        result_beyond_linear(r, run) >= 0 ? " !" : "");
+    add(s, "         %-14s tip (%7.*f, %7.*f, %7.*f) mm bend %6.1f deg  strain %4.3g %%%s%s",
+        pulled, d, plain(run->tip.p.a[0] * 1e3, least), d, plain(run->tip.p.a[1] * 1e3, least), d,
+        plain(run->tip.p.a[2] * 1e3, least), degrees(run->total_bend_rad),
+        run->largest_strain * 100, result_beyond_linear(r, run) >= 0 ? "!" : "", mark_of(run).text);
+}
+
+// what the marks of the lines mean, those that occur
+static int rod_remarks(const run_result *r, summary *s)
+{
+    const rod_result *rod = &r->rod;
+    int beyond = 0, worst = -1, stopped = 0, bad = 0;
+    for (int i = 0; i < rod->nsolution; i++) {
+        const struct rod_run *run = &rod->run[i];
+        const int material = result_beyond_linear(r, run);
+        beyond += material >= 0;
+        worst = material >= 0 ? material : worst;
+        stopped += run->fraction < 1;
+        bad += rod_error_is_large(run);
+    }
+    if (beyond > 0 && s) {
+        add(s, "         ! %d of %d strain %s past its linear %.3g %%", beyond, rod->nsolution,
+            r->materials[worst].name, r->materials[worst].linear_strain * 100);
+    }
+    if (stopped > 0 && s) {
+        add(s,
+            "         ! %d of %d stop at a limit point, before all loads and tensions are reached",
+            stopped, rod->nsolution);
+    }
+    if (bad > 0 && s) {
+        add(s, "         ! %d of %d have an estimated error of the tip above 1 %% of the length",
+            bad, rod->nsolution);
+    }
+    return (beyond > 0) + (stopped > 0) + (bad > 0);
 }
 
 static void rod_lines(summary *s, const run_result *r, int room)
 {
     const rod_result *rod = &r->rod;
-    int beyond = 0, worst = -1;
-    for (int i = 0; i < rod->nsolution; i++) {
-        const int material = result_beyond_linear(r, &rod->run[i]);
-        beyond += material >= 0;
-        worst = material >= 0 ? material : worst;
-    }
-    // the heading, perhaps the warning, and as many solutions as fit
-    const int space = room - 1 - (beyond > 0);
+    // the heading, perhaps warnings, and as many solutions as fit
+    const int space = room - 1 - rod_remarks(r, NULL);
     const int shown = rod->nsolution <= space ? rod->nsolution : space - 1;
-    add(s, "rod      %.4g mm, tensions in N", r->rod_length * 1e3);
+    add(s, "rod      %.4g mm%s%s", r->rod_length * 1e3, rod->ntendon > 0 ? ", tensions in N" : "",
+        rod->nload > 0 ? ", under loads" : "");
     for (int i = 0; i < shown; i++) {
         rod_line(s, r, i);
     }
     if (shown < rod->nsolution) {
         add(s, "         and %d more in rods.csv", rod->nsolution - (shown > 0 ? shown : 0));
     }
-    if (beyond > 0) {
-        add(s, "         ! %d of %d strain %s past its linear %.3g %%", beyond, rod->nsolution,
-            r->materials[worst].name, r->materials[worst].linear_strain * 100);
-    }
+    (void)rod_remarks(r, s);
 }
 
 static void segment_lines(summary *s, const run_result *r)
 {
+    const double rounding = 1e-11; // of a solve with a million unknowns, for a segment of size 1
     const segment_result *g = &r->segment;
     const int shown = g->nload < 4 ? g->nload : 4;
     add(s, "segment  %.4g mm, %d unknowns, centre found (%.4f, %.4f) mm", r->segment_length * 1e3,
@@ -111,10 +165,10 @@ static void segment_lines(summary *s, const run_result *r)
         // the larger of the two ways in which a tip turns
         const double bend = hypot(l->tip_rotation[0], l->tip_rotation[1]);
         const bool twists = fabs(l->tip_rotation[2]) > bend;
-        add(s, "         %-18s shortening %7.4f mm  tip %s %7.3f deg  mid curvature %7.3f 1/m",
-            name, plain(l->shortening * 1e3, 5e-5), twists ? "twist" : "angle",
-            degrees(twists ? l->tip_rotation[2] : bend),
-            hypot(l->mid_curvature[0], l->mid_curvature[1]));
+        add(s, "         %-18s shortening %7.4g mm  tip %s %7.4g deg  curvature %7.4g 1/m", name,
+            plain(l->shortening, rounding * r->segment_length) * 1e3, twists ? "twist" : "angle",
+            degrees(plain(twists ? l->tip_rotation[2] : bend, rounding)),
+            plain(hypot(l->mid_curvature[0], l->mid_curvature[1]), rounding / r->segment_length));
     }
     if (shown < g->nload) {
         add(s, "         and %d more in segment.csv", g->nload - shown);

@@ -6,6 +6,7 @@
 // s = 0; a plan's panels are numbered from the base, panel k ends at its right node k + 1.
 #pragma once
 
+#include "rodsolver/panel_matrix.h"
 #include "rodsolver/rod_plan.h"
 
 // What is asked for, all of it scaled by one factor on the way.
@@ -36,8 +37,6 @@ typedef struct station_tangent {
     mat3 E, B, D;
     mat3 wp, pw, pp;
 } station_tangent;
-
-enum { PANEL_UNKNOWNS = 3 * GAUSS_STATIONS };
 
 typedef struct panel_factor {
     double A[PANEL_UNKNOWNS][PANEL_UNKNOWNS]; // L D L^T, or L U with rows exchanged
@@ -131,6 +130,35 @@ status equilibrium_solve(rod_state *state, const rod_request *request, rod_solut
 
 // Tension at the stations of the answer's plan over the one at the base; NULL without friction.
 const double *equilibrium_decay(const equilibrium *e, int tendon);
+
+// --- equilibrium_demand.c
+
+void demand_of(const rod_state *state, const rod_request *q, demand *d);
+// Which kinds of load and tendon e->from and e->to have.
+void demand_classify(equilibrium *e);
+
+// --- equilibrium_refine.c
+
+// Newton's share of the tolerance.
+double refine_newton_tolerance(const equilibrium *e);
+// The tip's place in the base frame by the present strains.
+vec3 refine_tip(equilibrium *e);
+// The strains at the stations of another plan, which becomes the one at hand.
+void equilibrium_transfer(equilibrium *e, const plan *to);
+int refine_level_of(const rod *r, const plan *p);
+// The coarsest plan beyond `level` with at least this many times its panels.
+int refine_level_beyond(const rod *r, int level, double times);
+// REFINED: an answer within the tolerance, from the way's end on a coarse plan. ROUGH_FAILED: the
+// coarse plan was too coarse; ROUGH_LEFT: the finest plan is.
+enum { REFINED, ROUGH_FAILED, ROUGH_LEFT };
+int refine_finish(equilibrium *e, double *error);
+
+// --- equilibrium_state.c
+
+// e->from's answer, kept in the state, as the start.
+void equilibrium_load_answer(equilibrium *e, const rod_state *state);
+void equilibrium_store_answer(equilibrium *e, rod_state *state);
+void equilibrium_tell(equilibrium *e, const rod_state *state, double error, rod_solution *out);
 
 // --- equilibrium_between.c
 

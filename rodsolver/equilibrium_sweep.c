@@ -5,6 +5,7 @@
 // stations. docs/theory.md (4.17) to (4.19)
 #include "rodsolver/collocation.h"
 #include "rodsolver/equilibrium.h"
+#include "rodsolver/panel_matrix.h"
 
 #include <math.h>
 #include <string.h>
@@ -126,139 +127,18 @@ static void assemble_followers(double h, const station_tangent *t, const followe
     }
 }
 
-// --- the 9x9 factorizations
-
-// L D L^T in place, lower triangle, the pivots' reciprocals on the diagonal; the number of negative
-// pivots, or -1 where one vanishes
-static int factor_symmetric(double A[UNKNOWNS][UNKNOWNS], double *product)
-{
-    int negative = 0;
-    for (int j = 0; j < UNKNOWNS; j++) {
-        const double pivot = A[j][j];
-        if (pivot == 0 || !isfinite(pivot)) {
-            return -1;
-        }
-        negative += pivot < 0;
-        *product *= fabs(pivot);
-        const double reciprocal = 1 / pivot;
-        double column[UNKNOWNS];
-        for (int i = j + 1; i < UNKNOWNS; i++) {
-            column[i] = A[i][j];
-            A[i][j] *= reciprocal;
-        }
-        for (int i = j + 1; i < UNKNOWNS; i++) {
-            for (int l = j + 1; l <= i; l++) {
-                A[i][l] -= A[i][j] * column[l];
-            }
-        }
-        A[j][j] = reciprocal;
-    }
-    return negative;
-}
-
-// L U with row exchanges; the sign of the determinant, 0 where it vanishes
-static int factor_general(double A[UNKNOWNS][UNKNOWNS], int exchange[UNKNOWNS], double *product)
-{
-    int sign = 1;
-    for (int j = 0; j < UNKNOWNS; j++) {
-        int best = j;
-        for (int i = j + 1; i < UNKNOWNS; i++) {
-            best = fabs(A[i][j]) > fabs(A[best][j]) ? i : best;
-        }
-        exchange[j] = best;
-        if (A[best][j] == 0 || !isfinite(A[best][j])) {
-            return 0;
-        }
-        for (int l = 0; best != j && l < UNKNOWNS; l++) {
-            const double swap = A[j][l];
-            A[j][l] = A[best][l];
-            A[best][l] = swap;
-        }
-        sign = (best != j) != (A[j][j] < 0) ? -sign : sign;
-        *product *= fabs(A[j][j]);
-        for (int i = j + 1; i < UNKNOWNS; i++) {
-            const double c = A[i][j] /= A[j][j];
-            for (int l = j + 1; l < UNKNOWNS; l++) {
-                A[i][l] -= c * A[j][l];
-            }
-        }
-    }
-    return sign;
-}
-
-static void solve_symmetric(const double A[UNKNOWNS][UNKNOWNS], double *b)
-{
-    for (int i = 1; i < UNKNOWNS; i++) {
-        for (int l = 0; l < i; l++) {
-            b[i] -= A[i][l] * b[l];
-        }
-    }
-    for (int i = 0; i < UNKNOWNS; i++) {
-        b[i] *= A[i][i];
-    }
-    for (int i = UNKNOWNS - 1; i > 0; i--) {
-        for (int l = 0; l < i; l++) {
-            b[l] -= A[i][l] * b[i];
-        }
-    }
-}
-
-// the same for the three columns of the response, in place
-static void solve_columns(const double A[UNKNOWNS][UNKNOWNS], double b[UNKNOWNS][3])
-{
-    for (int i = 1; i < UNKNOWNS; i++) {
-        for (int l = 0; l < i; l++) {
-            for (int c = 0; c < 3; c++) {
-                b[i][c] -= A[i][l] * b[l][c];
-            }
-        }
-    }
-    for (int i = 0; i < UNKNOWNS; i++) {
-        for (int c = 0; c < 3; c++) {
-            b[i][c] *= A[i][i];
-        }
-    }
-    for (int i = UNKNOWNS - 1; i > 0; i--) {
-        for (int l = 0; l < i; l++) {
-            for (int c = 0; c < 3; c++) {
-                b[l][c] -= A[i][l] * b[i][c];
-            }
-        }
-    }
-}
-
-static void solve_general(const double A[UNKNOWNS][UNKNOWNS], const int *exchange, double *b)
-{
-    for (int i = 0; i < UNKNOWNS; i++) {
-        const double swap = b[exchange[i]];
-        b[exchange[i]] = b[i];
-        b[i] = swap;
-    }
-    for (int i = 1; i < UNKNOWNS; i++) {
-        for (int l = 0; l < i; l++) {
-            b[i] -= A[i][l] * b[l];
-        }
-    }
-    for (int i = UNKNOWNS - 1; i >= 0; i--) {
-        for (int l = i + 1; l < UNKNOWNS; l++) {
-            b[i] -= A[i][l] * b[l];
-        }
-        b[i] /= A[i][i];
-    }
-}
+// --- from the tip to the base
 
 void sweep_solve_panel(const equilibrium *e, int panel, double *b)
 {
     const panel_factor *f = &e->panel[panel];
     const double(*A)[UNKNOWNS] = (const double(*)[UNKNOWNS])f->A;
     if (e->conservative) {
-        solve_symmetric(A, b);
+        panel_solve_symmetric(A, b);
     } else {
-        solve_general(A, f->exchange, b);
+        panel_solve_general(A, f->exchange, b);
     }
 }
-
-// --- from the tip to the base
 
 static mat3 response_block(const panel_factor *f, int j)
 {
@@ -343,7 +223,7 @@ static void keep_determinant(equilibrium *e, const station_tangent *t, double h,
 static void solve_response(const equilibrium *e, panel_factor *panel)
 {
     if (e->conservative) {
-        solve_columns((const double(*)[UNKNOWNS])panel->A, panel->response);
+        panel_solve_columns((const double(*)[UNKNOWNS])panel->A, panel->response);
         return;
     }
     for (int c = 0; c < 3; c++) {
@@ -351,7 +231,7 @@ static void solve_response(const equilibrium *e, panel_factor *panel)
         for (int i = 0; i < UNKNOWNS; i++) {
             b[i] = panel->response[i][c];
         }
-        solve_general((const double(*)[UNKNOWNS])panel->A, panel->exchange, b);
+        panel_solve_general((const double(*)[UNKNOWNS])panel->A, panel->exchange, b);
         for (int i = 0; i < UNKNOWNS; i++) {
             panel->response[i][c] = b[i];
         }
@@ -375,14 +255,14 @@ static bool factor_panel(equilibrium *e, int k, mat3 *S, mat3 *SN)
     }
     double product = 1;
     if (e->conservative) {
-        const int negative = factor_symmetric(panel->A, &product);
+        const int negative = panel_factor_symmetric(panel->A, &product);
         if (negative < 0) {
             return false;
         }
         e->negative += negative;
         e->determinant = negative % 2 ? -e->determinant : e->determinant;
     } else {
-        const int sign = factor_general(panel->A, panel->exchange, &product);
+        const int sign = panel_factor_general(panel->A, panel->exchange, &product);
         if (sign == 0) {
             return false;
         }

@@ -42,8 +42,9 @@ static const key rod_key_list[] = {
      .max = MOST_METRES,
      .max_count = 1000,
      .offset = offsetof(rod_case, breaks),
-     .about = "arclengths where an expression in s jumps or has a kink; those of sections, tendons "
-              "and loads are known"},
+     .about =
+         "arclengths where an expression in s jumps or has a kink; found by itself unless they "
+         "are many and close"},
     LIST("tendons", ROD_CASE_TENDONS, tendons, rod_tendon_keys,
          "tendons, in the order of the tensions"),
     LIST("loads", ROD_CASE_LOADS, loads, rod_load_keys, "forces and moments at places"),

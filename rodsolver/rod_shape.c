@@ -84,7 +84,9 @@ static double tension_at(const rod_state *state, int tendon, double s)
     if (!decay) {
         return state->tension[tendon];
     }
-    const int pair = pair_of(p, s);
+    // at its very end: the pair before that, behind which there is no tendon
+    const double before = 1 - 1e-12;
+    const int pair = pair_of(p, fmin(s, before * state->rod->spec[tendon].end));
     const double *edge = &p->pair_edge[2 * pair];
     double weight[PAIR_STATIONS], sum = 0;
     lie_pair_weights(2 * (s - edge[0]) / (edge[1] - edge[0]), weight);

@@ -84,6 +84,8 @@ err 'past_limit_points: true'
 expect 4 "$program" rod "$work/strip.yaml"
 out 'solution 3: limit point at 0.40753 of its way'
 out '0.4075!'
+expect 0 "$program" rod "$source/cases/pulled_tube.yaml"
+out 'slack'
 expect 0 "$program" rod "$work/strip.yaml" --json --set rod.past_limit_points=true
 cp "$work/out" "$work/past.json"
 expect 0 "$program" report "$work/snapped" --out "$work/again"

@@ -24,7 +24,8 @@ static inline void scratch_free(const char *dir)
         "section.svg",  "section.png",  "segment.svg",   "segment.png",   "rods.svg",
         "rods.png",     "report.html",  "curvature.svg", "curvature.png", "summary",
         "stresses.svg", "stresses.png", "sections.csv",  "stresses.csv",  "kern.csv",
-        "result.hdf",   "rods.csv",     "shapes.csv"};
+        "result.hdf",   "rods.csv",     "shapes.csv",    "wrench.svg",    "wrench.png",
+        "tendons.svg",  "tendons.png",  "sweep.svg",     "sweep.png"};
     char path[256];
     for (size_t i = 0; i < sizeof files / sizeof *files; i++) {
         (void)snprintf(path, sizeof path, "%s/%s", dir, files[i]);

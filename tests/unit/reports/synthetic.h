@@ -134,15 +134,68 @@ done:
     return st;
 }
 
-static inline status make_rod(run_result *r, int nsolution, double turns)
+enum { LOADS = 4 };
+
+// a force at the tip fixed in space, a moment half way that turns with the rod, a force along the
+// outer half, gravity
+static inline void sketch_loads(rod_result *rod, double length)
+{
+    static const char *const names[LOADS] = {"tip <force>", "twist", "wind", "gravity"};
+    rod_load_sketch *l = rod->load_sketch;
+    l[0] = (rod_load_sketch){.from = length, .to = length};
+    l[1] = (rod_load_sketch){.frame = LOAD_BODY, .from = 0.5 * length, .to = 0.5 * length};
+    l[2] = (rod_load_sketch){.kind = LOAD_ALONG_LINE, .from = 0.5 * length, .to = length};
+    l[3] = (rod_load_sketch){.kind = LOAD_GRAVITY, .acceleration = {{0, 0, -9.81}}};
+    for (int k = 0; k < LOAD_PLACES; k++) {
+        l[0].force[k] = (vec3){{0.02, 0, 0}};
+        l[1].moment[k] = (vec3){{0, 0, 1e-3}};
+        l[2].force[k] = (vec3){{0, 0.1 + 0.02 * k, 0}};
+    }
+    for (int i = 0; i < LOADS; i++) {
+        (void)snprintf(rod->load_name[i], RESULT_NAME, "%s", names[i]);
+    }
+}
+
+// the left tendon winds half around, the right one ends early
+static inline void lay_tendons(rod_result *rod, double length)
+{
+    for (int k = 0; k < rod->npoint; k++) {
+        const double angle = pi * k / (rod->npoint - 1);
+        rod->tendon_path[k][0] = -3.6e-3 * cos(angle);
+        rod->tendon_path[k][1] = -3.6e-3 * sin(angle);
+        rod->tendon_path[rod->npoint + k][0] = 3.6e-3;
+        rod->rest[k] = (pose){mat3_identity(), {{0, 0, length * k / (rod->npoint - 1)}}};
+    }
+    rod->tendon_end[0] = length;
+    rod->tendon_end[1] = 0.75 * length;
+}
+
+// the tension falls by friction along the left tendon
+static inline void carry(const rod_result *rod, struct rod_run *run, int point)
+{
+    const double part = (double)point / (rod->npoint - 1);
+    run->along[2 * point] = run->tension[0] * exp(-0.3 * part);
+    run->along[2 * point + 1] = part <= 0.75 ? run->tension[1] : 0;
+    run->stretch[point][2] = -0.01 * (run->tension[0] + run->tension[1]);
+    run->stretch[point][0] = 1e-3 * part;
+    run->wrench[point] = (vec6){{0.02 * part, 0, -run->tension[0] - run->tension[1],
+                                 1e-3 * (1 - part), 2e-3 * (1 - part), 1e-4}};
+}
+
+static inline status make_rod(run_result *r, int nsolution, double turns, int nload)
 {
     status st = OK;
     rod_result *rod = &r->rod;
     r->has_rod = true;
-    const rod_result sizes = {.ntendon = 2, .npoint = SHAPE_POINTS, .nsolution = nsolution};
+    const rod_result sizes = {
+        .ntendon = 2, .npoint = SHAPE_POINTS, .nsolution = nsolution, .nload = nload};
     TRY(rod_result_make(&sizes, rod));
     (void)snprintf(rod->tendon_name[0], sizeof rod->tendon_name[0], "left <b>&");
     (void)snprintf(rod->tendon_name[1], sizeof rod->tendon_name[1], "right");
+    lay_tendons(rod, r->rod_length);
+    if (nload == LOADS) {
+        sketch_loads(rod, r->rod_length);
+    }
     for (int i = 0; i < nsolution; i++) {
         struct rod_run *run = &rod->run[i];
         const int side = 2 * i >= nsolution;
@@ -154,6 +207,11 @@ static inline status make_rod(run_result *r, int nsolution, double turns)
         run->pull[0] = run->pull[1] = NAN;
         run->fraction = 1;
         run->stable = 1;
+        run->eigenvalue = 1 - 0.1 * i;
+        run->energy = run->work = 1e-3 * tension * tension;
+        for (int k = 0; k < nload; k++) {
+            run->load[k] = 1;
+        }
         TRY(rod_run_room(rod, run));
         run->shape[0] = pose_identity();
         const double ds = r->rod_length / (SHAPE_POINTS - 1);
@@ -163,6 +221,7 @@ static inline status make_rod(run_result *r, int nsolution, double turns)
             run->s[k] = ds * k;
             run->curvature[k][0] = size * sin(angle);
             run->curvature[k][1] = size * cos(angle);
+            carry(rod, run, k);
             if (k > 0) {
                 const double *w = run->curvature[k];
                 run->shape[k] = pose_mul(run->shape[k - 1],
@@ -271,8 +330,9 @@ static const char synthetic_case[] =
     "title: <script>alert('x')</script>\nmaterials: {a: {E_MPa: 1}} # & \"more\"\n";
 
 // turns: of the curvature's direction along the rod, in pi; force: of both segment loads along z
-// [N]
-static inline status synthetic_make(int nsolution, double turns, double force, run_result *out)
+// [N]; nload: 0 or LOADS
+static inline status synthetic_loaded_make(int nsolution, double turns, double force, int nload,
+                                           run_result *out)
 {
     status st = OK;
     run_result *r = out;
@@ -287,7 +347,7 @@ static inline status synthetic_make(int nsolution, double turns, double force, r
     r->materials[1] =
         (material){.name = "stiff <i>", .E = 15.93e6, .nu = 0.3, .linear_strain = 0.06};
     TRY(make_section(r, turns != 0));
-    TRY(make_rod(r, nsolution, turns));
+    TRY(make_rod(r, nsolution, turns, nload));
     TRY(make_segment(r, force));
     TRY(make_compare(r));
 
@@ -295,25 +355,15 @@ done:
     return st;
 }
 
+static inline status synthetic_make(int nsolution, double turns, double force, run_result *out)
+{
+    return synthetic_loaded_make(nsolution, turns, force, 0, out);
+}
+
 static inline void synthetic_free(run_result *r)
 {
-    for (int i = 0; i < r->rod.nsolution; i++) {
-        free(r->rod.run[i].s);
-        free(r->rod.run[i].shape);
-        free(r->rod.run[i].curvature);
+    for (int i = 0; i < r->nmaterial; i++) {
+        r->materials[i].name = NULL; // not the result's own here
     }
-    for (int i = 0; i < r->segment.nload; i++) {
-        free(r->segment.load[i].displacement);
-    }
-    free(r->rod.run);
-    free(r->segment.load);
-    free(r->section.station);
-    law_along_free(&r->section.along);
-    mesh_free(&r->section_mesh);
-    mesh_free(&r->segment_plane);
-    mesh_free(&r->segment_mesh);
-    free(r->compare);
-    free(r->materials);
-    free(r->case_text);
-    *r = (run_result){0};
+    run_result_free(r);
 }

@@ -6,7 +6,7 @@
 
 #include <unistd.h>
 
-static const char *const names[] = {"section", "segment", "rods", "curvature"};
+static const char *const names[] = {"section", "segment", "rods", "curvature", "wrench", "tendons"};
 
 // the first bytes of a PNG and the size in its header: two pixels to the point
 static void check_png(const char *dir, const char *name)
@@ -65,12 +65,19 @@ static void numbers_beyond_paper_do_no_harm(void)
     static const double values[] = {1e9, 1e160, 1e308, INFINITY, NAN};
     for (size_t i = 0; i < sizeof values / sizeof *values; i++) {
         run_result r = {0};
-        CHECK_OK(synthetic_make(2, 0.4, -0.5, &r));
+        CHECK_OK(synthetic_loaded_make(2, 0.4, -0.5, LOADS, &r));
         r.segment.load[0].displacement[7] = values[i];
         r.segment.load[0].point[0] = values[i];
         r.section.station[0].centres.stiffness_centre[0] = values[i];
         r.rod.run[0].shape[3].p.a[0] = values[i];
         r.rod.run[0].curvature[3][0] = values[i];
+        r.rod.run[1].wrench[2].a[4] = values[i];
+        r.rod.run[1].along[5] = values[i];
+        r.rod.run[1].load[0] = values[i];
+        r.rod.load_sketch[2].force[3].a[0] = values[i];
+        r.rod.load_sketch[0].to = values[i];
+        r.rod.load_sketch[3].acceleration.a[1] = values[i];
+        r.rod.tendon_path[7][1] = values[i];
         (void)alarm(60);
         CHECK_OK(figures_all(&r, dir));
         (void)alarm(0);
@@ -139,6 +146,39 @@ static void odd_results_are_drawn(void)
     synthetic_free(&r);
 }
 
+// the tips of a sweep have a picture of their own, which others do not; loads are drawn
+static void sweeps_and_loads_are_drawn(void)
+{
+    run_result r = {0};
+    char dir[64];
+    size_t length = 0;
+    scratch_make(dir);
+    CHECK_OK(synthetic_loaded_make(7, 0.3, -0.5, LOADS, &r));
+    CHECK_OK(figures_all(&r, dir));
+    CHECK(whole_file(dir, "sweep.svg", &length) == NULL);
+    check_svg(dir, "rods");
+    char *loaded = whole_file(dir, "rods.svg", &length);
+    for (int i = 0; i < r.rod.nsolution; i++) {
+        memset(r.rod.run[i].load, 0, LOADS * sizeof(double));
+    }
+    CHECK_OK(figures_all(&r, dir));
+    char *bare = whole_file(dir, "rods.svg", &length);
+    CHECK(loaded && bare && count_of(loaded, "<path") > count_of(bare, "<path") + 4 * 3);
+    free(loaded);
+    free(bare);
+    synthetic_free(&r);
+
+    CHECK_OK(synthetic_loaded_make(120, 0.3, -0.5, LOADS, &r));
+    r.rod.run[30].fraction = 0.5;
+    r.rod.run[40].stable = 0;
+    CHECK_OK(figures_all(&r, dir));
+    check_svg(dir, "sweep");
+    check_png(dir, "sweep");
+    check_svg(dir, "rods");
+    synthetic_free(&r);
+    scratch_free(dir);
+}
+
 static void a_picture_that_cannot_be_written_says_so(void)
 {
     run_result r = {0};
@@ -154,6 +194,7 @@ int main(void)
     a_rerun_gives_the_same_bytes();
     parts_that_are_not_there_make_no_picture();
     odd_results_are_drawn();
+    sweeps_and_loads_are_drawn();
     numbers_beyond_paper_do_no_harm();
     a_picture_that_cannot_be_written_says_so();
     return test_failures != 0;

@@ -24,7 +24,7 @@ static void one_file_holds_everything(void)
     CHECK(strncmp(page, "<!DOCTYPE html>", 15) == 0);
     CHECK(well_formed(page));
     CHECK(ids_are_unique(page));
-    CHECK(count_of(page, "<svg") == 4 && count_of(page, "<?xml") == 0);
+    CHECK(count_of(page, "<svg") == 6 && count_of(page, "<?xml") == 0);
     // nothing from outside: the only addresses are the names of the SVG's vocabularies
     CHECK(count_of(page, "http") == count_of(page, "\"http://www.w3.org/"));
     CHECK(count_of(page, "src=") == 0 && count_of(page, "@import") == 0);
@@ -77,6 +77,82 @@ static void strains_past_linear_are_pointed_out(void)
     r.materials[0].linear_strain = r.materials[1].linear_strain = 0;
     page = page_of(&r, dir);
     CHECK(count_of(page, "⚠") == 0 && count_of(page, "does not say up to which strain") == 1);
+    free(page);
+    scratch_free(dir);
+    synthetic_free(&r);
+}
+
+static void loads_and_equilibria_are_told(void)
+{
+    run_result r = {0};
+    char dir[64];
+    scratch_make(dir);
+    CHECK_OK(synthetic_loaded_make(4, 0, -0.5, LOADS, &r));
+    struct rod_run *run = r.rod.run;
+    char *page = page_of(&r, dir);
+    CHECK(well_formed(page) && count_of(page, "Rod under its tendons and loads</h2>") == 1);
+    CHECK(count_of(page, "tip &lt;force&gt;</td><td>120</td><td>0.02, 0, 0</td>") == 1);
+    CHECK(count_of(page, "wind</td><td>60</td><td>0, 0.1, 0</td>") == 1); // from there ...
+    CHECK(count_of(page, "<td>120</td><td>0, 0.34, 0</td>") == 1);        // ... to here
+    CHECK(count_of(page, "0, 0, −9.81 m/s²") == 1);
+    CHECK(count_of(page, "turning with the section") == 1);
+    CHECK(count_of(page, "limit point") == 0 && count_of(page, "unstable") == 0);
+    CHECK(count_of(page, "No gravity") == 0);
+    free(page);
+
+    run[1].fraction = 0.63;
+    run[1].ncritical = 1;
+    run[1].critical[0] = (rod_critical){CRITICAL_LIMIT, 0.63, 1};
+    run[2].stable = 0;
+    run[3].stable = -1;
+    run[3].eigenvalue = run[3].energy = run[3].work = NAN;
+    run[0].relative_error = 0.0101;
+    run[2].relative_error = 0.0099;
+    run[2].energy = 1e-3;
+    run[2].work = 0.9e-3;
+    page = page_of(&r, dir);
+    CHECK(count_of(page, "1 of 4 solutions stop at a limit point") == 1);
+    CHECK(count_of(page, "<td class=\"bad\">0.63000 ⚠</td>") == 1);
+    CHECK(count_of(page, "<small>limit point at 0.63000</small>") == 1);
+    CHECK(count_of(page, "1 of 4 solutions are unstable") == 1);
+    CHECK(count_of(page, "<td>not known</td><td>–</td>") == 1);
+    CHECK(count_of(page, "<td class=\"bad\">0.010 ⚠</td>") == 1);
+    CHECK(count_of(page, "<td>1000.0</td><td>900.00</td><td>0.10</td>") == 1);
+    free(page);
+    scratch_free(dir);
+    synthetic_free(&r);
+}
+
+static void found_tensions_and_slack_are_told(void)
+{
+    run_result r = {0};
+    char dir[64];
+    scratch_make(dir);
+    CHECK_OK(synthetic_make(4, 0, -0.5, &r));
+    r.rod.run[0].pull[0] = 2e-3;
+    r.rod.run[0].pull[1] = -1e-3; // let go: slack, since its tension is 0
+    char *page = page_of(&r, dir);
+    CHECK(count_of(page, "<td>0.33<small>drawn 2 mm</small></td>") == 1);
+    CHECK(count_of(page, "<td>slack<small>drawn −1 mm</small></td>") == 1);
+    free(page);
+    scratch_free(dir);
+    synthetic_free(&r);
+}
+
+// the page keeps to a table that can be read, and says where the rest is
+static void a_sweep_is_no_wall_of_numbers(void)
+{
+    run_result r = {0};
+    char dir[64];
+    scratch_make(dir);
+    CHECK_OK(synthetic_make(200, 0, -0.5, &r));
+    CHECK_OK(figures_all(&r, dir));
+    char *page = page_of(&r, dir);
+    CHECK(count_of(page, "20 of 200 solutions, at equal steps; all are in rods.csv") == 1);
+    CHECK(count_of(page, "<tr><td>1</td><td>0.33</td>") == 1);
+    CHECK(count_of(page, "<tr><td>200</td><td>0</td><td>33</td>") == 1);
+    CHECK(count_of(page, "<tr><td>2</td><td>0.66</td>") == 0);
+    CHECK(count_of(page, "Tip, bend and strain along the sweep.") == 1);
     free(page);
     scratch_free(dir);
     synthetic_free(&r);
@@ -138,6 +214,9 @@ int main(void)
     one_file_holds_everything();
     words_of_the_user_stay_words();
     strains_past_linear_are_pointed_out();
+    loads_and_equilibria_are_told();
+    found_tensions_and_slack_are_told();
+    a_sweep_is_no_wall_of_numbers();
     the_paper_is_cited_for_its_own_figure_only();
     verdicts_are_counted();
     a_result_of_nothing_is_a_page_too();

@@ -80,6 +80,39 @@ static void its_numbers_carry_units(void)
     synthetic_free(&r);
 }
 
+static void what_is_wrong_with_a_rod_is_marked(void)
+{
+    run_result r = {0};
+    CHECK_OK(synthetic_loaded_make(4, 0, -0.5, LOADS, &r));
+    char *text = summary_of(&r, 25);
+    CHECK(strstr(text, "limit point") == NULL && strstr(text, "unstable") == NULL);
+    CHECK(strstr(text, "under loads") != NULL);
+    free(text);
+    r.rod.run[1].fraction = 0.625;
+    r.rod.run[2].stable = 0;
+    r.rod.run[3].relative_error = 0.02;
+    r.rod.run[3].pull[0] = -1e-3;
+    text = summary_of(&r, 25);
+    CHECK(strstr(text, " at 0.625!") && strstr(text, " unstable") && strstr(text, "err 0.02!"));
+    CHECK(strstr(text, "1 of 4 stop at a limit point") && strstr(text, "1 of 4 have an estimated"));
+    CHECK(strstr(text, "slack 0.66") != NULL);
+    free(text);
+    synthetic_free(&r);
+}
+
+static void small_results_are_seen(void)
+{
+    run_result r = {0};
+    CHECK_OK(synthetic_make(4, 0, -0.5e-6, &r));
+    r.rod_length *= 1e-3;
+    r.rod.run[0].tip.p = (vec3){{1.5e-6, 0, 2e-6}};
+    char *text = summary_of(&r, 25);
+    CHECK(strstr(text, "tip angle 7.142e-06 deg") != NULL);
+    CHECK(strstr(text, "0.001500") != NULL);
+    free(text);
+    synthetic_free(&r);
+}
+
 static void a_terminal_is_not_commanded(void)
 {
     run_result r = {0};
@@ -111,6 +144,8 @@ int main(void)
     it_keeps_to_its_lines_and_columns();
     what_is_left_off_is_said();
     its_numbers_carry_units();
+    what_is_wrong_with_a_rod_is_marked();
+    small_results_are_seen();
     a_terminal_is_not_commanded();
     a_full_disk_is_noticed();
     return test_failures != 0;
