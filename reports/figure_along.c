@@ -21,7 +21,8 @@ static double largest_of(const along_sheet *s, int group)
     double most = 0;
     for (int k = 0; k < s->npanel; k++) {
         for (int i = 0; s->panel[k].group == group && i < s->show->nshown; i++) {
-            for (int point = 0; point < s->r->rod.npoint; point++) {
+            for (int point = 0; point < s->r->rod.npoint;
+                 point = rod_next_point(&s->r->rod, point)) {
                 most = fmax(most, fabs(value_at(s, &s->panel[k], i, point)));
             }
         }
@@ -33,7 +34,7 @@ static plot panel_plot(const along_sheet *s, const along_panel *panel, box at)
 {
     plot p = {at, 0, s->r->rod_length * 1e3, 0, 0};
     for (int i = 0; i < s->show->nshown; i++) {
-        for (int k = 0; k < s->r->rod.npoint; k++) {
+        for (int k = 0; k < s->r->rod.npoint; k = rod_next_point(&s->r->rod, k)) {
             const double v = value_at(s, panel, i, k);
             p.y0 = fmin(p.y0, v);
             p.y1 = fmax(p.y1, v);
@@ -58,7 +59,8 @@ static void panel_draw(canvas *c, const along_sheet *s, const along_panel *panel
     for (int i = 0; i < s->show->nshown; i++) {
         const int solution = s->show->shown[i];
         const struct rod_run *run = &s->r->rod.run[solution];
-        for (int k = 0; k < s->r->rod.npoint && run->s[k] <= end; k++) {
+        for (int k = 0; k < s->r->rod.npoint && run->s[k] <= end;
+             k = rod_next_point(&s->r->rod, k)) {
             const double x = plot_x(&p, run->s[k] * 1e3), y = plot_y(&p, value_at(s, panel, i, k));
             if (k == 0) {
                 canvas_move(c, x, y);

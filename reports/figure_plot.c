@@ -60,7 +60,9 @@ static number_text tick_label(double value, const ticks *t)
     if (fabs(value) < 1e-9 * t->step) {
         return number_fixed(0, t->decimals > 4 ? 0 : t->decimals);
     }
-    return t->decimals > 4 || fabs(value) >= 1e6 ? number_short(value, 4)
+    // a tick is a whole number of steps of one digit: no more digits than that
+    const double digits = floor(log10(fabs(value)) + 1e-9) - floor(log10(t->step) + 1e-9) + 1;
+    return t->decimals > 4 || fabs(value) >= 1e6 ? number_digits(value, (int)fmax(digits, 1))
                                                  : number_fixed(value, t->decimals);
 }
 

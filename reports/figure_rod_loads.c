@@ -61,8 +61,15 @@ static void look_at(const looker *w, const rod_load_sketch *l, const pose *at, v
     if (!(largest > 0) || !(vec3_norm(v) > 1e-3 * largest) || !isfinite(scale)) {
         return;
     }
+    const vec3 along = vec3_scale(scale, in_space(l, at, v));
+    // what pushes the tip inwards ends there: elsewhere it would hide the rod
+    const vec3 inwards = mat3_mul_vec(at->R, (vec3){{0, 0, -1}});
+    const bool pushes = l->kind == LOAD_AT_POINT && !moment &&
+                        l->from >= w->scene->r->rod_length * (1 - 1e-9) &&
+                        vec3_dot(along, inwards) > 0.7 * vec3_norm(along);
+    from = pushes ? vec3_sub(from, along) : from;
     const rod_arrow a = {.from = from,
-                         .to = vec3_add(from, vec3_scale(scale, in_space(l, at, v))),
+                         .to = vec3_add(from, along),
                          .follower = l->frame == LOAD_BODY,
                          .moment = moment,
                          .many = l->kind != LOAD_AT_POINT};

@@ -40,14 +40,14 @@ static void shape_points(const rod_scene *s, rod_point_visit *visit, void *data)
 {
     const rod_result *rod = &s->r->rod;
     for (int i = 0; i < s->show->nshown; i++) {
-        for (int k = 0; k < rod->npoint; k++) {
+        for (int k = 0; k < rod->npoint; k = rod_next_point(rod, k)) {
             visit(mm(rod->run[s->show->shown[i]].shape[k].p), data);
         }
     }
     for (int i = 0; i < rod->nsolution && s->show->sweep; i++) {
         visit(mm(rod->run[i].tip.p), data);
     }
-    for (int k = 0; k < rod->npoint && rest_is_known(rod); k++) {
+    for (int k = 0; k < rod->npoint && rest_is_known(rod); k = rod_next_point(rod, k)) {
         visit(mm(rod->rest[k].p), data);
     }
 }
@@ -116,7 +116,7 @@ static void rest_shape_line(const rod_scene *s, const rod_view *v)
     if (!rest_is_known(rod)) {
         return;
     }
-    for (int k = 0; k < rod->npoint; k++) {
+    for (int k = 0; k < rod->npoint; k = rod_next_point(rod, k)) {
         follow(v, mm(rod->rest[k].p), k == 0);
     }
     canvas_dash(v->c, 4, 3);
@@ -127,7 +127,7 @@ static void rest_shape_line(const rod_scene *s, const rod_view *v)
 static void curve(const rod_scene *s, const rod_view *v, int solution)
 {
     const struct rod_run *run = &s->r->rod.run[solution];
-    for (int k = 0; k < s->r->rod.npoint; k++) {
+    for (int k = 0; k < s->r->rod.npoint; k = rod_next_point(&s->r->rod, k)) {
         follow(v, mm(run->shape[k].p), k == 0);
     }
     if (run->stable == 0) {
@@ -151,7 +151,8 @@ static void tip_mark(const rod_scene *s, const rod_view *v, int solution)
     }
 }
 
-// through the tips of every line of a sweep; a very long one by every so many of them
+// through the tips of every line of a sweep, in its colour where there are several; a very long one
+// by every so many of them
 static void tip_paths(const rod_scene *s, const rod_view *v)
 {
     enum { MOST_POINTS = 4000 };
@@ -163,7 +164,7 @@ static void tip_paths(const rod_scene *s, const rod_view *v)
             follow(v, mm(rod->run[l->first + k].tip.p), k == 0);
         }
         follow(v, mm(rod->run[l->first + l->count - 1].tip.p), false);
-        canvas_stroke(v->c, INK, 1.1);
+        canvas_stroke(v->c, s->show->nline > 1 ? s->show->ink[l->first] : INK, 1.1);
     }
 }
 
@@ -172,7 +173,8 @@ static void tendon_lines(const rod_scene *s, const rod_view *v, int solution)
     const rod_result *rod = &s->r->rod;
     const struct rod_run *run = &rod->run[solution];
     for (int t = 0; t < rod->ntendon && t < MOST_TENDONS; t++) {
-        for (int k = 0; k < rod->npoint && run->s[k] <= rod->tendon_end[t] * (1 + 1e-9); k++) {
+        for (int k = 0; k < rod->npoint && run->s[k] <= rod->tendon_end[t] * (1 + 1e-9);
+             k = rod_next_point(rod, k)) {
             const double *place = rod->tendon_path[t * rod->npoint + k];
             const vec3 arm = mat3_mul_vec(run->shape[k].R, (vec3){{place[0], place[1], 0}});
             follow(v, mm(vec3_add(run->shape[k].p, arm)), k == 0);

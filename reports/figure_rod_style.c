@@ -53,32 +53,40 @@ void rod_label(const rod_show *show, int solution, char *text, size_t size)
         add_tendon(&w, rod, run, i);
     }
     if (w.used == 0) {
-        add(&w, "no tension");
+        add(&w, rod->ntendon > 0 ? "no tension" : "loads alone");
     }
     for (int i = 0; i < rod->nload && show->factors_vary; i++) {
         add(&w, ", %s ×%s", rod->load_name[i], number_short(run->load[i], 3).text);
     }
 }
 
-// what does not change along the line
+// whether it differs from line to line and not along this one
+static bool tells_lines_apart(const rod_show *show, const rod_line *line, rod_quantity q)
+{
+    const rod_result *rod = show->rod;
+    const double value = rod_quantity_value(&rod->run[line->first], q);
+    bool differs = false;
+    for (int i = 0; i < show->nline; i++) {
+        differs = differs || rod_quantity_value(&rod->run[show->line[i].first], q) != value;
+    }
+    return differs &&
+           (line->count == 1 || rod_quantity_value(&rod->run[line->first + 1], q) == value);
+}
+
 static void line_label(const rod_show *show, const rod_line *line, char *text, size_t size)
 {
     const rod_result *rod = show->rod;
     words w = {text, size, 0};
     char name[2 * RESULT_NAME];
-    const struct rod_run *first = &rod->run[line->first],
-                         *next = &rod->run[line->first + (line->count > 1)];
+    const struct rod_run *first = &rod->run[line->first];
     text[0] = 0;
     for (int kind = 0; kind < GIVEN_KINDS; kind++) {
         for (int i = 0; i < (kind == GIVEN_LOAD ? rod->nload : rod->ntendon); i++) {
             const rod_quantity q = {kind, i};
-            const double value = rod_quantity_value(first, q);
-            const bool plain =
-                value == (kind == GIVEN_LOAD) || value != rod_quantity_value(next, q);
-            rod_quantity_name(rod, q, name, sizeof name);
-            if (!plain) {
-                add(&w, "%s%s %s %s", w.used ? ", " : "", name, number_short(value, 3).text,
-                    rod_quantity_unit(q));
+            if (tells_lines_apart(show, line, q)) {
+                rod_quantity_name(rod, q, name, sizeof name);
+                add(&w, "%s%s %s %s", w.used ? ", " : "", name,
+                    number_short(rod_quantity_value(first, q), 3).text, rod_quantity_unit(q));
             }
         }
     }

@@ -157,7 +157,7 @@ static void shadow(const space *v, const rod_result *rod, int solution, bool plu
 {
     const struct rod_run *run = &rod->run[solution];
     canvas *c = v->view.c;
-    for (int k = 0; k < rod->npoint; k++) {
+    for (int k = 0; k < rod->npoint; k = rod_next_point(rod, k)) {
         double at[2];
         rod_view_at(&v->view, on_floor(v, run->shape[k].p), at);
         if (k == 0) {
@@ -199,7 +199,8 @@ static double sheet_height(const rods_sheet *s)
 static void notes(canvas *c, const rods_sheet *s)
 {
     const bool some = s->show->ndetail < s->show->nshown;
-    const bool loads = s->r->rod.nload > 0;
+    const bool loads = s->r->rod.nload > 0, tendons = s->r->rod.ntendon > 0;
+    char more[256];
     const double y = sheet_height(s) - 30;
     bool stopped = false, unstable = false;
     for (int i = 0; i < s->show->nshown; i++) {
@@ -209,13 +210,19 @@ static void notes(canvas *c, const rods_sheet *s)
     }
     say(c, side, y, LOOK_SMALL,
         "Geometric centrelines from the base plate; x–z and y–z at one scale; grey: shadows on the "
-        "floor. Dashed grey: without tension%s%s",
-        loads ? " and load." : ".", s->show->sweep ? " Black: path of the tip." : "");
-    say(c, side, y + 16, LOOK_SMALL, "Thin lines: tendons%s%s%s%s", some ? ", of some shapes" : "",
-        loads ? "; full arrows: fixed in space; hollow: turning with the section; two heads: moment"
+        "floor.%s",
+        s->show->sweep ? " Tips are joined in the order of the solutions." : "");
+    (void)snprintf(
+        more, sizeof more, "%s%s%s%s%s%s", tendons ? "thin lines: tendons; " : "",
+        loads ? "arrows: full ones fixed in space, hollow ones turning with the section, two heads "
+                "mean a moment; "
               : "",
-        stopped ? "; hollow tip: stopped at a limit point" : "",
-        unstable ? "; dashed: unstable." : ".");
+        some && (tendons || loads) ? "on some shapes only; " : "",
+        stopped ? "hollow tip: stopped at a limit point; " : "",
+        unstable ? "dashed: unstable; " : "", "dashed grey: at rest.");
+    // a sentence begins large
+    more[0] = (char)(more[0] - 'a' + 'A');
+    say(c, side, y + 16, LOOK_SMALL, "%s", more);
 }
 
 static status draw(canvas *c, const void *data)

@@ -86,7 +86,11 @@ static plot panel_plot(const sweep_sheet *s, int panel, box at)
         p.y0 = fmin(p.y0, 0); // where it is critical
     }
     range_pad(&p.x0, &p.x1, 0.02, 1e-12);
-    range_pad(&p.y0, &p.y1, 0.06, fmax(1e-6 * most, 1e-12));
+    if (panel < 3 && p.y1 - p.y0 < 1e-9 * most) {
+        p.y0 -= 0.1 * most; // nothing beside how far the tip is
+        p.y1 += 0.1 * most;
+    }
+    range_pad(&p.y0, &p.y1, 0.06, 1e-12);
     return p;
 }
 
@@ -117,7 +121,7 @@ static void dots(canvas *c, const sweep_sheet *s, const plot *p, int panel, cons
     for (int k = l->first; k < l->first + l->count; k++) {
         const struct rod_run *run = &s->r->rod.run[k];
         const double y = panels[panel].value(run);
-        if (isfinite(y) && (l->count <= DOTS_UP_TO || run->fraction < 1)) {
+        if (isfinite(y) && (s->r->rod.nsolution <= DOTS_UP_TO || run->fraction < 1)) {
             canvas_circle(c, plot_x(p, abscissa(s, l, k)), plot_y(p, y), 2.8);
             canvas_fill_stroke(c, run->fraction < 1 ? white : s->show->ink[k],
                                run->fraction < 1 ? s->show->ink[k] : white, 0.9);

@@ -38,7 +38,7 @@ static void path(canvas *c, const rod_result *rod, const plot *p, int tendon)
 {
     const double(*at)[2] = (const double(*)[2]) & rod->tendon_path[tendon * rod->npoint];
     const colour ink = INK, white = {1, 1, 1, 1};
-    for (int k = 0; k < rod->npoint; k++) {
+    for (int k = 0; k < rod->npoint; k = rod_next_point(rod, k)) {
         const double x = plot_x(p, 1e3 * at[k][0]), y = plot_y(p, 1e3 * at[k][1]);
         if (k == 0) {
             canvas_move(c, x, y);

@@ -14,6 +14,7 @@ enum {
     DETAILS_OF_A_SWEEP = 3,  // first, middle and last
     DETAILS_OTHERWISE = 4,   // arrows on more cover each other
     LEAST_SWEEP = 8,         // solutions in a line that is worth a curve of its tips
+    POINTS_OF_A_CURVE = 501, // finer than the paper
     FAMILIES_UP_TO = 240,    // solutions that are told apart by what pulls them
     TURNS_PER_SOLUTIONS = 8, // a line that turns around more often is no sweep but chance
 };
@@ -302,4 +303,10 @@ void rod_show_free(rod_show *s)
     free(s->shown);
     free(s->ink);
     *s = (rod_show){0};
+}
+
+int rod_next_point(const rod_result *rod, int k)
+{
+    const int stride = 1 + (rod->npoint - 1) / POINTS_OF_A_CURVE, last = rod->npoint - 1;
+    return k == last ? rod->npoint : k + stride < last ? k + stride : last;
 }

@@ -45,3 +45,6 @@ int rod_show_line_of(const rod_show *s, int solution);
 
 // At most `most` of 0 .. n - 1 at equal steps, the first and the last among them; their count.
 int rod_spread(int n, int most, int *out);
+
+// The point to draw after point k: some hundred make a smooth curve. npoint after the last.
+int rod_next_point(const rod_result *rod, int k);

@@ -129,8 +129,25 @@ static void many_solutions_are_sorted_soon(void)
     release(&rod);
 }
 
+static void long_curves_are_thinned_but_for_their_ends(void)
+{
+    static const int sizes[] = {2, 81, 501, 502, 20001};
+    for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
+        const rod_result rod = {.npoint = sizes[i]};
+        int count = 0, last = -1;
+        for (int k = 0; k < rod.npoint; k = rod_next_point(&rod, k)) {
+            CHECK(k > last);
+            last = k;
+            count++;
+        }
+        CHECK(last == rod.npoint - 1);
+        CHECK(count <= 502 && (rod.npoint > 501 ? count > 200 : count == rod.npoint));
+    }
+}
+
 int main(void)
 {
+    long_curves_are_thinned_but_for_their_ends();
     a_grid_is_told_by_its_lines();
     there_and_back_is_one_sweep();
     chance_is_no_sweep();
