@@ -295,7 +295,8 @@ typedef struct path {
     int negative, determinant; // at the last point
     int ncritical;
     rod_critical critical[ROD_MAX_CRITICAL];
-    double log_determinant; // of its size
+    double log_determinant;      // of its size
+    double earlier, earlier_log; // factor and determinant of the point before
 } path;
 
 // From the equilibrium e->xi at factor 0 to factor 1 on e->plan.

@@ -9,6 +9,12 @@
 
 enum { SEARCH_STEPS = 60, ARC_STEPS = 2000, ARC_CORRECTIONS = 8 };
 
+// two crossings nearer to each other, as parts of the way, are one
+static const double one_place = 2e-3;
+// part of the determinant at both ends below which its parabola asks for a look between
+static const double suspicious = 0.6;
+// a search that stops early is believed with a bracket this narrow; else the step was too long
+static const double narrow_enough = 1e-6;
 // the width of the bracket at which a search stops, of the factor
 static const double search_width = 1e-10;
 // ... and of an arclength step
@@ -84,43 +90,107 @@ static bool narrow(equilibrium *e, double left, double right, bracket *s)
             side = -1;
         }
     }
-    return s->b - s->a <= 1e-3;
+    return s->b - s->a <= narrow_enough;
 }
 
-// all crossings from the left point's character to the right one's, one after the other
-bool path_find_crossing(equilibrium *e, path *way)
+typedef struct right_end {
+    double factor, log_determinant;
+    int negative, determinant;
+} right_end;
+
+static right_end keep_right(equilibrium *e)
 {
-    const double left = way->factor, right = e->factor;
-    const int last = character(e), negative = e->negative, determinant = e->determinant;
     memcpy(e->direction, e->xi, (size_t)e->plan->nstation * sizeof *e->xi);
     memcpy(e->tension_direction, e->tension, (size_t)e->rod->ntendon * sizeof *e->tension);
-    const double log_right = sweep_log_determinant(e);
-    bracket s = {.a = left,
-                 .left = e->conservative ? way->negative : way->determinant,
-                 .log_left = way->log_determinant};
-    bool found = true;
-    while (found && s.left != last) {
-        s.b = right;
-        s.right = last;
-        s.fa = 1;
-        const int order = e->conservative ? abs(last - s.left) : 1;
-        s.fb = -exp((log_right - s.log_left) / order);
-        found = narrow(e, left, right, &s);
-        if (found) {
-            path_record(way, CRITICAL_BIFURCATION, (s.a + s.b) / 2, e->conservative ? s.right : -1);
-            s.a = s.b;
-            s.left = s.right;
-        }
-    }
+    return (right_end){e->factor, sweep_log_determinant(e), e->negative, e->determinant};
+}
+
+static bool back_to_right(equilibrium *e, const right_end *r)
+{
     memcpy(e->xi, e->direction, (size_t)e->plan->nstation * sizeof *e->xi);
     memcpy(e->tension, e->tension_direction, (size_t)e->rod->ntendon * sizeof *e->tension);
-    path_factor(e, right);
-    if (!newton_linearize(e)) {
-        return false;
+    path_factor(e, r->factor);
+    const bool good = newton_linearize(e);
+    e->negative = r->negative;
+    e->determinant = r->determinant;
+    return good;
+}
+
+// all crossings from s->left's character at s->a to `last` at `end`, one after the other
+static bool find_all(equilibrium *e, path *way, const right_end *r, bracket *s, double end,
+                     int last, double log_end)
+{
+    bool found = true;
+    while (found && s->left != last) {
+        const int order = e->conservative ? abs(last - s->left) : 1;
+        s->b = end;
+        s->right = last;
+        s->fa = 1;
+        s->fb = -exp((log_end - s->log_left) / order);
+        found = narrow(e, way->factor, r->factor, s);
+        if (found) {
+            path_record(way, CRITICAL_BIFURCATION, (s->a + s->b) / 2,
+                        e->conservative ? s->right : -1);
+            s->a = s->b;
+            s->left = s->right;
+        }
     }
-    e->negative = negative;
-    e->determinant = determinant;
     return found;
+}
+
+static bracket bracket_at_left(const equilibrium *e, const path *way)
+{
+    return (bracket){.a = way->factor,
+                     .left = e->conservative ? way->negative : way->determinant,
+                     .log_left = way->log_determinant};
+}
+
+// Where between the kept point and the present one the determinant might reach 0 and come back: the
+// lowest point of the parabola through the last three; NAN where it stays well above
+static double lowest_between(const equilibrium *e, const path *way)
+{
+    if (!(way->earlier < way->factor)) {
+        return NAN;
+    }
+    const double d0 = exp(way->earlier_log - way->log_determinant);
+    const double d2 = exp(sweep_log_determinant(e) - way->log_determinant);
+    const double h0 = way->factor - way->earlier, h2 = e->factor - way->factor;
+    const double s0 = (1 - d0) / h0, s2 = (d2 - 1) / h2, bend = (s2 - s0) / (h0 + h2);
+    const double slope = s0 + bend * h0, at = -slope / (2 * bend);
+    const bool inside = bend > 0 && at > 0 && at < h2;
+    const double lowest = 1 + at * (slope + at * bend);
+    return inside && lowest < suspicious * fmin(1, d2) ? way->factor + at : NAN;
+}
+
+bool path_examine(equilibrium *e, path *way)
+{
+    const right_end r = keep_right(e);
+    const int left = e->conservative ? way->negative : way->determinant, last = character(e);
+    const double share = e->factor - way->factor;
+    bracket s = bracket_at_left(e, way);
+    const int ncritical = way->ncritical;
+    bool good = true;
+    if (left != last) {
+        // two at once are two that a shorter step tells apart, or another equilibrium
+        if (e->conservative && abs(last - left) > 1 && share > one_place) {
+            return false;
+        }
+        good = find_all(e, way, &r, &s, r.factor, last, r.log_determinant);
+    } else {
+        const double between = lowest_between(e, way);
+        if (isnan(between)) {
+            return true;
+        }
+        good = solve_between(e, way->factor, r.factor, between);
+        const int middle = character(e);
+        if (good && middle != left) {
+            const double log_middle = sweep_log_determinant(e);
+            good = find_all(e, way, &r, &s, between, middle, log_middle) &&
+                   find_all(e, way, &r, &s, r.factor, last, r.log_determinant);
+        }
+    }
+    way->ncritical = good ? way->ncritical : ncritical;
+    return back_to_right(e, &r) && good;
 }
 
 // --- arclength

@@ -14,6 +14,7 @@ static const double aim = 0.15, largest = 0.5, largest_share = 0.4, always = 0.0
 static const double first_turn = 1; // of the first step
 static const double rough = 3e-3;   // what is left on the way, before the last point
 static const double steep = 3;      // slopes from here on ask for sharper points
+static const double least_step = 1e-6;
 static const double shortest = 0.02, growth = 3, shrink = 0.35;
 enum { PATH_STEPS = 400, PATH_CORRECTIONS = 7 };
 
@@ -65,14 +66,10 @@ bool path_try(equilibrium *e, double factor, double tolerance, double predicted,
     return found && *moved <= largest && *moved <= fmax(largest_share * predicted, always);
 }
 
-// whether the tangent changed its character on the last step
-static bool has_passed(const equilibrium *e, const path *way)
-{
-    return e->conservative ? e->negative != way->negative : e->determinant != way->determinant;
-}
-
 static void note_point(const equilibrium *e, path *way)
 {
+    way->earlier = way->factor;
+    way->earlier_log = way->log_determinant;
     way->factor = e->factor;
     way->negative = e->negative;
     way->determinant = e->determinant;
@@ -89,8 +86,8 @@ static bool step_by_factor(equilibrium *e, double step, double tolerance, double
            (e->factor == 1 || newton_linearize(e));
 }
 
-// Between two critical points of a rod in compression lies at least about an Euler load of a
-// cantilever: no step is longer, so that none are passed over in pairs
+// Between two critical points of a rod in compression lies about an Euler load of a cantilever at
+// least: steps are half as long, so that few are passed over in pairs
 static double longest_step(const equilibrium *e)
 {
     const double pi = 3.14159265358979323846, length = e->rod->length;
@@ -102,7 +99,7 @@ static double longest_step(const equilibrium *e)
         stiffness = fmin(stiffness, fmin(e->plan->K[i].a[3][3], e->plan->K[i].a[4][4]));
     }
     const double euler = pi * pi * stiffness / (4 * length * length);
-    return compression > 0 ? euler / compression : HUGE_VAL;
+    return compression > 0 ? euler / (2 * compression) : HUGE_VAL;
 }
 
 // Near a limit point the shape changes fast with the factor, and a rough point might lie beyond it
@@ -149,8 +146,14 @@ int path_follow(equilibrium *e, path *way, double tolerance)
             }
             continue;
         }
-        if (has_passed(e, way) && !path_find_crossing(e, way)) {
-            return PATH_LOST;
+        if (!path_examine(e, way)) {
+            path_restore(e);
+            path_factor(e, way->factor);
+            step = share * shrink;
+            if (step < least_step) {
+                return PATH_LOST;
+            }
+            continue;
         }
         note_point(e, way);
         if (way->factor == 1) {

@@ -17,9 +17,10 @@ void path_record(path *way, int kind, double fraction, int negative);
 // Corrects at this factor; false where that fails or goes too far from what was predicted.
 bool path_try(equilibrium *e, double factor, double tolerance, double predicted, double *moved);
 
-// Between the kept point at way->factor and the present one the tangent changed its character:
-// where, recorded as a bifurcation. e is left at the present point.
-bool path_find_crossing(equilibrium *e, path *way);
+// Whether the tangent changed its character between the kept point at way->factor and the present
+// one: where, recorded as bifurcations. false: the step must be shorter to tell. e is left at the
+// present point.
+bool path_examine(equilibrium *e, path *way);
 
 // By arclength from the kept point, at which natural steps got too short: past the limit point if
 // there is one, PATH_LIMIT with e at it unless way->past. PATH_ARRIVED where natural steps may go

@@ -96,7 +96,7 @@ vec3 refine_tip(equilibrium *e)
 // at order 6 by 63 times the fine one's. That order is believed where both follow the rod: where
 // they agree, and where no panel is long against the rod's own lengths, 1/|w| and sqrt(EI / |N|)
 static const double margin = 3, rounding = 2e-16;
-static const double near = 3e-4, far = 1e-2, short_panel = 1, long_panel = 2;
+static const double near = 1e-4, far = 1e-2, short_panel = 0.75, long_panel = 2;
 static const double most_ratio = 2;
 enum { ORDER = 6, DOUBTED_ORDER = 4, LEAST_ORDER = 1 };
 
