@@ -193,7 +193,7 @@ static void from_aside(canvas *c, const rods_sheet *s, box at)
 
 static double sheet_height(const rods_sheet *s)
 {
-    return head + s->height + axis_below + 26 + s->legend + s->loads + 50;
+    return head + s->height + axis_below + 26 + s->legend + s->loads + 66;
 }
 
 static void notes(canvas *c, const rods_sheet *s)
@@ -201,7 +201,7 @@ static void notes(canvas *c, const rods_sheet *s)
     const bool some = s->show->ndetail < s->show->nshown;
     const bool loads = s->r->rod.nload > 0, tendons = s->r->rod.ntendon > 0;
     char more[256];
-    const double y = sheet_height(s) - 30;
+    const double y = sheet_height(s) - 46;
     bool stopped = false, unstable = false;
     for (int i = 0; i < s->show->nshown; i++) {
         const struct rod_run *run = &s->r->rod.run[s->show->shown[i]];
@@ -222,7 +222,7 @@ static void notes(canvas *c, const rods_sheet *s)
         unstable ? "dashed: unstable; " : "", "dashed grey: at rest.");
     // a sentence begins large
     more[0] = (char)(more[0] - 'a' + 'A');
-    say(c, side, y + 16, LOOK_SMALL, "%s", more);
+    (void)say_paragraph(c, side, y + 16, sheet_width - 2 * side, LOOK_SMALL, more);
 }
 
 static status draw(canvas *c, const void *data)

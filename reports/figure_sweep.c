@@ -6,7 +6,7 @@
 #include <math.h>
 #include <stdio.h>
 
-enum { PANELS = 6, COLUMNS = 3, DOTS_UP_TO = 41, MOST_POINTS = 6000 };
+enum { PANELS = 6, COLUMNS = 3, DOTS_UP_TO = 25, MOST_POINTS = 6000 };
 
 static const double side = 28, head = 74, sheet_width = 1000, panel_height = 190;
 static const double axis_left = 62, axis_below = 50, gap = 8, caption = 20;
