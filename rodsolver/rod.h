@@ -129,7 +129,7 @@ typedef struct rod_request {
     const pose *base;      // NULL: the identity
     bool cold;      // from rest, not from the last answer: the same bits for the same request
     bool past;      // follow the equilibria past limit points (arclength)
-    bool stability; // the smallest eigenvalue too
+    bool stability; // the smallest eigenvalue and the work too
 } rod_request;
 
 typedef enum critical_kind {
@@ -162,7 +162,7 @@ typedef struct rod_solution {
     rod_critical critical[ROD_MAX_CRITICAL];
     double energy;   // stored by the strains [J]
     double work;     // of dead loads and tendons on the way from rest, by the balance of
-                     // energies [J]: NAN where there is no potential
+                     // energies [J]; under loads NAN: not asked for, or no potential
     double residual; // largest misfit of the local balance, in strain units over the largest
                      // strain
 } rod_solution;
