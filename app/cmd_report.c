@@ -1,5 +1,5 @@
 // app/cmd_report.c
-// stiffaxis report RESULT: figures and page from a stored result, nothing recomputed.
+// stiffaxis report RESULT: figures, tables and page from a stored result, nothing recomputed.
 #include "app/answer.h"
 #include "app/command.h"
 #include "app/save.h"

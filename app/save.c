@@ -67,10 +67,10 @@ static status write_contents(const outdir *d, const contents *what)
         versions_loaded(what->result->versions, sizeof what->result->versions);
         TRY(result_store_write(what->result, path));
         TRY(still_wanted());
-        TRY(result_csv(what->result, directory));
         TRY(write_text(d, "case.yaml", what->result->case_text, what->result->case_length));
     }
     if (what->report) {
+        TRY(result_csv(what->report, directory));
         TRY(figures_all(what->report, directory));
         TRY(still_wanted());
         TRY(report_page(what->report, directory));

@@ -6,7 +6,7 @@ case=$source/cases/helical_nc.yaml
 dir=$work/results/helical
 
 expect 0 "$program" run "$case" --out "$dir"
-for file in result.hdf report.html case.yaml section.svg section.png rods.svg rods.png sections.csv rods.csv \
+for file in result.hdf report.html case.yaml section.svg section.png rods.svg rods.png wrench.svg tendons.svg sections.csv rods.csv \
     shapes.csv compare.csv; do
     [ -s "$dir/$file" ] || fail "$file is missing or empty"
 done
@@ -45,11 +45,11 @@ if command -v timeout >/dev/null; then
 fi
 [ -z "$(find "$work" -name '*.tmp-*' -o -name interrupted)" ] || fail 'something half-written was left behind'
 
-# the page from the stored result alone: the same figures, byte for byte, and no case needed
+# the page from the stored result alone: the same figures and tables, byte for byte, and no case needed
 cp "$dir/result.hdf" "$work/alone.hdf"
 expect 0 "$program" report "$work/alone.hdf" --out "$work/again"
-for figure in section rods curvature; do
-    cmp -s "$dir/$figure.svg" "$work/again/$figure.svg" || fail "$figure.svg differs when drawn again"
+for file in section.svg rods.svg curvature.svg wrench.svg tendons.svg sections.csv rods.csv shapes.csv; do
+    cmp -s "$dir/$file" "$work/again/$file" || fail "$file differs when made again"
 done
 expect 0 "$program" report "$dir"
 [ -s "$dir-report/report.html" ] || fail 'report without --out wrote nothing'
