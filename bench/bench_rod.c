@@ -7,6 +7,26 @@ enum { REFERENCE_PANELS = 384 }; // error below 1e-13 of the length
 static const rod_case_at helical_one = {"helical, 1 tendon", helical_law, 1, false, {0.98}};
 static const rod_case_at straight_one = {
     "homogeneous, 1 tendon", homogeneous_law, 1, false, {0.98}};
+// of the references: straight annulus, tip force across
+static const rod_case_at force_only = {
+    "homogeneous, tip force", homogeneous_law, 1, false, {0}, {0, 0.02, 0}};
+static const rod_case_at force_and_tendon = {
+    "homogeneous, 1 tendon, tip force", homogeneous_law, 1, false, {0.5}, {0, 0.02, 0}};
+static const rod_case_at loaded_cases[] = {
+    {"homogeneous, 3 tendons, tip force",
+     homogeneous_law,
+     3,
+     false,
+     {0.5, 0.3, 0.1},
+     {0.01, 0.01, -0.01}},
+    {"helical, 1 tendon, tip force", helical_law, 1, false, {0.98}, {0, 0.02, 0}},
+    {"helical, 3 turning tendons, tip force",
+     helical_law,
+     3,
+     true,
+     {0.98, 0.49, 0.2},
+     {0, 0.02, 0}},
+};
 static const rod_case_at cases[] = {
     {"homogeneous, 3 tendons", homogeneous_law, 3, false, {0.98, 0.49, 0.2}},
     {"helical, 2 tendons", helical_law, 2, false, {0.98, 0.49}},
@@ -30,7 +50,8 @@ static status reference_tip(const rod_case_at *c, vec3 *tip)
     rod_solution out = {0};
     b = (bench_rod){0};
     TRY(bench_rod_make(c, 0, REFERENCE_PANELS, &b));
-    TRY(rod_solve(b.state, &(rod_request){.tension = b.tension, .cold = true}, &out));
+    const rod_request request = bench_request(c, b.tension);
+    TRY(rod_solve(b.state, &request, &out));
     *tip = out.tip.p;
 
 done:
@@ -46,7 +67,7 @@ static status measure(const rod_case_at *c, double tolerance, vec3 exact, figure
     const int repeats = c->ntendon > 3 ? 2 : 20;
     b = (bench_rod){0};
     TRY(bench_rod_make(c, tolerance, 0, &b));
-    rod_request request = {.tension = b.tension, .cold = true};
+    rod_request request = bench_request(c, b.tension);
     TRY(rod_solve(b.state, &request, &out));
     f->error = vec3_norm(vec3_sub(out.tip.p, exact));
     f->estimate = out.relative_error * length;
@@ -83,15 +104,65 @@ done:
     return st;
 }
 
-// median of a cold solve that is asked for this error, NaN where it does not keep it
-static status time_for(const rod_case_at *c, double error, double *time)
+// medians of solves that are asked for this error, NaN where they do not keep it
+static status times_for(const rod_case_at *c, double error, double *cold, double *warm)
 {
     status st = OK;
     vec3 exact;
     figure f = {0};
     TRY(reference_tip(c, &exact));
     TRY(measure(c, error / length, exact, &f));
-    *time = f.error <= error ? f.cold.median : NAN;
+    *cold = f.error <= error ? f.cold.median : NAN;
+    *warm = f.error <= error ? f.warm.median : NAN;
+
+done:
+    return st;
+}
+
+static status time_for(const rod_case_at *c, double error, double *time)
+{
+    double warm;
+    return times_for(c, error, time, &warm);
+}
+
+// --- under load
+
+// independent figures of these two tips, good to 1e-11 m
+static const vec3 force_only_tip = {{0, 0.07852296901404067, 0.08310723449111658}};
+static const vec3 force_and_tendon_tip = {
+    {0.054729954587487015, 0.06225301055928794, 0.023125766351884125}};
+
+static status far_from(const rod_case_at *c, vec3 tip, double *apart)
+{
+    status st = OK;
+    vec3 ours;
+    TRY(reference_tip(c, &ours));
+    *apart = fmax(*apart, vec3_norm(vec3_sub(ours, tip)));
+
+done:
+    return st;
+}
+
+static status loaded(int *missed)
+{
+    status st = OK;
+    double cold[2], warm[2], apart = 0;
+    TRY(table(&force_only));
+    TRY(table(&force_and_tendon));
+    for (size_t i = 0; i < sizeof loaded_cases / sizeof *loaded_cases; i++) {
+        TRY(table(&loaded_cases[i]));
+    }
+    TRY(far_from(&force_only, force_only_tip, &apart));
+    TRY(far_from(&force_and_tendon, force_and_tendon_tip, &apart));
+    TRY(times_for(&force_only, 1e-6, &cold[0], &warm[0]));
+    TRY(times_for(&force_and_tendon, 1e-6, &cold[1], &warm[1]));
+    printf("\n");
+    *missed |= bench_target("tip force: from independent figures", 1e9 * apart, 1, "nm");
+    *missed |= bench_target("tip force alone to 1e-6 m, cold, median", cold[0], 150, "us");
+    *missed |= bench_target("tip force and tendon to 1e-6 m, cold, median", cold[1], 150, "us");
+    *missed |= bench_target("tip force alone to 1e-6 m, from the last answer", warm[0], 40, "us");
+    *missed |=
+        bench_target("tip force and tendon to 1e-6 m, from the last answer", warm[1], 40, "us");
 
 done:
     return st;
@@ -200,6 +271,7 @@ int main(void)
     status st = OK;
     int missed = 0;
     TRY(unloaded(&missed));
+    TRY(loaded(&missed));
 
 done:
     if (st != OK) {

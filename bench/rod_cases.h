@@ -90,7 +90,15 @@ typedef struct rod_case_at {
     int ntendon;
     bool turning;
     double tension[3]; // of the first tendons [N]
+    double force[3];   // on the tip, keeping its direction [N]
 } rod_case_at;
+
+static inline rod_request bench_request(const rod_case_at *c, const double *tension)
+{
+    return (rod_request){.tension = tension,
+                         .tip_space = {{c->force[0], c->force[1], c->force[2], 0, 0, 0}},
+                         .cold = true};
+}
 
 // --- a rod at one tolerance
 
