@@ -19,10 +19,10 @@ static status fail_way(const equilibrium *e, const path *way, int outcome)
         for (int i = 0; i < t->nstation; i++) {
             if (vec3_norm(tendon_direction(&t->place[i], &e->xi[i])) < 0.02) {
                 return status_fail(ERR_NUMERIC,
-                                   "rod: tendon '%s' has eaten its own length at s = %.6g m under "
+                                   "rod: tendon '%s' has eaten its own length at s = %.6g mm under "
                                    "%.6g N, at %.6g of the load",
-                                   e->rod->spec[j].name ? e->rod->spec[j].name : "?", e->plan->s[i],
-                                   e->tension[j], way->factor);
+                                   e->rod->spec[j].name ? e->rod->spec[j].name : "?",
+                                   1e3 * e->plan->s[i], e->tension[j], way->factor);
             }
         }
     }

@@ -72,8 +72,8 @@ static status fill_line(const rod *r, int load, const plan *p, line_station *out
             out[i] = line_at(l, s, f);
         }
         if (!line_is_finite(&out[i])) {
-            return status_fail(ERR_INPUT, "rod: load '%s' is not finite at s = %g m",
-                               l && l->name ? l->name : "gravity", s);
+            return status_fail(ERR_INPUT, "rod: load '%s' is not finite at s = %g mm",
+                               l && l->name ? l->name : "gravity", 1e3 * s);
         }
     }
     return OK;

@@ -128,8 +128,8 @@ static status fill_laws(const struct rod *r, plan *p)
         store_law(p, i);
         for (size_t c = 0; c < 6; c++) {
             if (!isfinite(rest.a[c])) {
-                return status_fail(ERR_INPUT, "rod: the shape at rest is not finite at s = %g m",
-                                   p->s[i]);
+                return status_fail(ERR_INPUT, "rod: the shape at rest is not finite at s = %g mm",
+                                   1e3 * p->s[i]);
             }
             p->rest[c * n + i] = rest.a[c];
         }
@@ -194,8 +194,8 @@ static status fill_tendon(const tendon_spec *spec, const spline *table, const pl
         }
         const tendon_place *q = &t->place[i];
         if (!isfinite(q->x) || !isfinite(q->y) || !isfinite(q->dx) || !isfinite(q->dy)) {
-            TRY(status_fail(ERR_INPUT, "rod: tendon '%s' has no finite place at s = %g m",
-                            spec->name ? spec->name : "?", p->s[i]));
+            TRY(status_fail(ERR_INPUT, "rod: tendon '%s' has no finite place at s = %g mm",
+                            spec->name ? spec->name : "?", 1e3 * p->s[i]));
         }
         const double coordinate[4] = {q->x, q->y, q->dx, q->dy};
         for (size_t j = 0; j < 4; j++) {
@@ -245,7 +245,8 @@ static status invert_laws(const plan *p, mat6 **F)
         if (!mat6_inverse_spd(p->K[i], &(*F)[i])) {
             TRY(status_fail(
                 ERR_NUMERIC,
-                "rod: the stiffness of the section at s = %g m is not positive definite", p->s[i]));
+                "rod: the stiffness of the section at s = %g mm is not positive definite",
+                1e3 * p->s[i]));
         }
     }
 

@@ -113,7 +113,7 @@ status rod_strain_at(const rod_state *state, double s, vec6 *xi)
         // a wrench given moves the minimum to the strain that it makes alone
         mat6 lower;
         if (!mat6_cholesky(K, &lower)) {
-            return status_fail(ERR_NUMERIC, "rod: the stiffness at s = %.6g m", clipped);
+            return status_fail(ERR_NUMERIC, "rod: the stiffness at s = %.6g mm", 1e3 * clipped);
         }
         const vec6 wrench = equilibrium_wrench_at(state, clipped);
         q.rest = vec6_add(q.rest, mat6_cholesky_solve(&lower, wrench));
@@ -134,8 +134,8 @@ status rod_strain_at(const rod_state *state, double s, vec6 *xi)
     }
     int steps = 0, which = 0;
     if (q.ntendon > 0 && local_solve(&q, xi, &steps, &which) != LOCAL_SOLVED) {
-        return status_fail(ERR_NUMERIC, "rod: no strain at s = %.6g m under these tensions",
-                           clipped);
+        return status_fail(ERR_NUMERIC, "rod: no strain at s = %.6g mm under these tensions",
+                           1e3 * clipped);
     }
     return OK;
 }

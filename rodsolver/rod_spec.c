@@ -64,8 +64,8 @@ static status copy_point_loads(rod *r, const point_load *loads)
         if (!(l->s >= 0) || !finite_all(l->force, 3) || !finite_all(l->moment, 3) ||
             !finite_all(l->place, 2)) {
             TRY(status_fail(ERR_INPUT,
-                            "rod: load '%s' at s = %g m lies before the base or is not finite",
-                            name_or_mark(l->name), l->s));
+                            "rod: load '%s' at s = %g mm lies before the base or is not finite",
+                            name_or_mark(l->name), 1e3 * l->s));
         }
         l->s = fmin(l->s, r->length);
         for (int c = 0; c < 3; c++) {

@@ -14,9 +14,9 @@ static status fail_eaten(const rod_state *state, int tendon, double s, const cha
     const rod *r = state->rod;
     const plan *p = &r->plans[r->nplan - 1];
     return status_fail(ERR_NUMERIC,
-                       "rod: tendon '%s' has eaten its own length at s = %.6g m under %.6g N%s "
+                       "rod: tendon '%s' has eaten its own length at s = %.6g mm under %.6g N%s "
                        "(alone it can pull less than %.6g N)",
-                       tendon_name(r, tendon), s, state->tension[tendon], more,
+                       tendon_name(r, tendon), 1e3 * s, state->tension[tendon], more,
                        p->tendon[tendon].critical);
 }
 
@@ -71,8 +71,8 @@ static status solve_single(rod_state *state, const plan *p, int tendon, int i, i
     }
     const int taken = secular_solve(tau, count, m, b, y);
     if (taken < 0) {
-        return status_fail(ERR_NUMERIC, "rod: no convergence at s = %.6g m under %.6g N of '%s'",
-                           p->s[i], tau, tendon_name(state->rod, tendon));
+        return status_fail(ERR_NUMERIC, "rod: no convergence at s = %.6g mm under %.6g N of '%s'",
+                           1e3 * p->s[i], tau, tendon_name(state->rod, tendon));
     }
     *steps += taken * count;
     strain_of(t, p, tau, i, y, xi);
@@ -116,8 +116,8 @@ static status solve_hard(rod_state *state, const plan *p, int npulling, int i, v
     }
     if (outcome == LOCAL_FAILED) {
         return status_fail(ERR_NUMERIC,
-                           "rod: no convergence at s = %.6g m, tendon '%s' is shortest", p->s[i],
-                           tendon_name(state->rod, state->pulling[which]));
+                           "rod: no convergence at s = %.6g mm, tendon '%s' is shortest",
+                           1e3 * p->s[i], tendon_name(state->rod, state->pulling[which]));
     }
     return OK;
 }
