@@ -77,6 +77,9 @@ static vec6 strain_between(const rod_state *state, double s)
 }
 
 // less than at the base by friction
+// an arclength this near to a tendon's end is its end
+static const double end_rounding = 1e-12;
+
 static double tension_at(const rod_state *state, int tendon, double s)
 {
     const plan *p = state->solved;
@@ -85,8 +88,7 @@ static double tension_at(const rod_state *state, int tendon, double s)
         return state->tension[tendon];
     }
     // at its very end: the pair before that, behind which there is no tendon
-    const double before = 1 - 1e-12;
-    const int pair = pair_of(p, fmin(s, before * state->rod->spec[tendon].end));
+    const int pair = pair_of(p, fmin(s, (1 - end_rounding) * state->rod->spec[tendon].end));
     const double *edge = &p->pair_edge[2 * pair];
     double weight[PAIR_STATIONS], sum = 0;
     lie_pair_weights(2 * (s - edge[0]) / (edge[1] - edge[0]), weight);
@@ -151,7 +153,8 @@ status rod_wrench_at(const rod_state *state, double s, vec6 *wrench, double *ten
     station_law(r, clipped, NULL, &K, &rest);
     *wrench = mat6_mul_vec(K, vec6_sub(xi, rest));
     for (int i = 0; tension && i < r->ntendon; i++) {
-        tension[i] = clipped <= r->spec[i].end ? tension_at(state, i, clipped) : 0;
+        tension[i] =
+            clipped <= (1 + end_rounding) * r->spec[i].end ? tension_at(state, i, clipped) : 0;
     }
 
 done:

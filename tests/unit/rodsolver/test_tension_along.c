@@ -24,7 +24,7 @@ static void friction_is_told_up_to_the_tendons_end(void)
     CHECK_OK(rod_state_make(rod, &state));
     CHECK_OK(rod_solve(state, &request, &solution));
     for (int k = 0; k <= 10; k++) {
-        const double s = k == 10 ? end : 0.1 * k * end;
+        const double s = k == 10 ? end : k == 9 ? end * (1 + 1e-15) : 0.1 * k * end;
         double tension = NAN;
         vec6 wrench;
         CHECK_OK(rod_wrench_at(state, s, &wrench, &tension));
