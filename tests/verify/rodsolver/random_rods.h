@@ -25,7 +25,7 @@ typedef enum verdict {
     VERDICT_BIFURCATION, // the same first bifurcation, by both
     VERDICT_WRONG,       // an answer, but another one
     VERDICT_SILENT,      // what is critical on the way was not told, or not where it is
-    VERDICT_REFUSED,     // no answer and no critical point, where there is one
+    VERDICT_REFUSED,     // neither an answer nor a critical point, and told so
     VERDICTS
 } verdict;
 
@@ -149,20 +149,25 @@ static inline double random_cpu_us(void)
 static inline verdict random_judge(const random_result *r)
 {
     const bool met = r->ours.ncritical > 0, there = r->second.ncritical > 0;
+    if (r->st != OK && !met) {
+        return VERDICT_REFUSED;
+    }
     if (there) {
         const rod_critical *a = &r->ours.critical[0];
         const shoot_critical *b = &r->second.critical[0];
         if (!met || a->kind != b->kind || fabs(a->fraction - b->fraction) > RANDOM_FRACTION) {
             return VERDICT_SILENT;
         }
+        // what lies behind the first one must be the same path, too
+        if (fabs(r->ours.fraction - r->second.fraction) > RANDOM_FRACTION ||
+            (r->second.fraction == 1 && r->off > RANDOM_TIP)) {
+            return VERDICT_WRONG;
+        }
         return b->kind == CRITICAL_LIMIT ? VERDICT_LIMIT : VERDICT_BIFURCATION;
-    }
-    if (r->st != OK) {
-        return VERDICT_REFUSED;
     }
     // an unstable answer, or a critical point that is not there, would be wrong too
     const bool stable = r->ours.stable == (r->second.negative == 0 ? 1 : 0);
-    return r->off <= RANDOM_TIP && !met && stable ? VERDICT_RIGHT : VERDICT_WRONG;
+    return r->st == OK && r->off <= RANDOM_TIP && !met && stable ? VERDICT_RIGHT : VERDICT_WRONG;
 }
 
 static inline random_result random_solve(random_rods *rods, const random_problem *p)
