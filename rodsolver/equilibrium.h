@@ -297,6 +297,7 @@ typedef struct path {
     rod_critical critical[ROD_MAX_CRITICAL];
     double log_determinant;      // of its size
     double earlier, earlier_log; // factor and determinant of the point before
+    int most;                    // Newton steps, beyond which the way is given up
 } path;
 
 // From the equilibrium e->xi at factor 0 to factor 1 on e->plan.

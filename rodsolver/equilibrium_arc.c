@@ -203,6 +203,9 @@ int path_turn(equilibrium *e, path *way, double tolerance)
     double step = 0.1;
     int straight = 0;
     for (int k = 0; k < ARC_STEPS; k++) {
+        if (e->iterations > way->most) {
+            return PATH_LOST;
+        }
         path_keep(e);
         if (!arc_step(e, &from, step, &moved)) {
             step /= 3;

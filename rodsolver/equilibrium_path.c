@@ -115,8 +115,15 @@ static double next_step(double step, double moved)
     return step * fmin(growth, fmax(shrink, wanted));
 }
 
+// Some seconds of work at most, on any plan: ways that are found take a tenth of it and less
+static int most_iterations(const equilibrium *e)
+{
+    return 300000 / (e->plan->npair + 20);
+}
+
 int path_follow(equilibrium *e, path *way, double tolerance)
 {
+    way->most = e->iterations + most_iterations(e);
     path_factor(e, 0);
     if (!newton_linearize(e)) {
         return PATH_LOST;
@@ -124,7 +131,7 @@ int path_follow(equilibrium *e, path *way, double tolerance)
     note_point(e, way);
     newton_slope(e);
     double step = fmin(1, first_turn / fmax(newton_size(e, e->slope), 1e-12));
-    for (int k = 0; k < PATH_STEPS && way->factor < 1; k++) {
+    for (int k = 0; k < PATH_STEPS && way->factor < 1 && e->iterations < way->most; k++) {
         double moved = 0;
         // no crumbs before the end
         const double left = 1 - way->factor;
