@@ -14,17 +14,14 @@ static status fail_way(const equilibrium *e, const path *way, int outcome)
                            "another shape",
                            way->factor);
     }
-    for (int j = 0; j < e->rod->ntendon; j++) {
-        const plan_tendon *t = &e->plan->tendon[j];
-        for (int i = 0; i < t->nstation; i++) {
-            if (vec3_norm(tendon_direction(&t->place[i], &e->xi[i])) < 0.02) {
-                return status_fail(ERR_NUMERIC,
-                                   "rod: tendon '%s' has eaten its own length at s = %.6g mm under "
-                                   "%.6g N, at %.6g of the load",
-                                   e->rod->spec[j].name ? e->rod->spec[j].name : "?",
-                                   1e3 * e->plan->s[i], e->tension[j], way->factor);
-            }
-        }
+    int tendon, station;
+    if (balance_finds_eaten(e, &tendon, &station)) {
+        const char *name = e->rod->spec[tendon].name;
+        return status_fail(ERR_NUMERIC,
+                           "rod: tendon '%s' has eaten its own length at s = %.6g mm under %.6g N, "
+                           "at %.6g of the load",
+                           name ? name : "?", 1e3 * e->plan->s[station], e->tension[tendon],
+                           way->factor);
     }
     return status_fail(ERR_NUMERIC, "rod: no equilibrium was found beyond %.6g of the load",
                        way->factor);

@@ -66,12 +66,12 @@ struct equilibrium {
     bool *pulled;    // [ntendon] by `to`
     bool *slack;     // [ntendon] among those
 
-    vec6 *xi;        // [nstation]
-    double *tension; // [ntendon] at the base
-    double *decay;   // [ntendon][room] tension there over the one at the base
-    bool friction;
-    follow_room follow; // where any tendon has friction
-    bool lost;          // a derivative with friction
+    vec6 *xi;                 // [nstation]
+    double *tension;          // [ntendon] at the base
+    double *decay;            // [ntendon][room] tension there over the one at the base
+    bool friction, bent_back; // bent_back: a path with friction turns another way within a panel
+    follow_room follow;       // where any tendon has friction
+    bool lost;                // a derivative with friction
 
     load_sum *line, *line_from, *line_to; // [nstation] at `factor`, and at both ends of the way
     load_sum *node, *node_from, *node_to; // [npanel + 1]
@@ -198,6 +198,8 @@ void balance_add_load(const load_sum *l, const mat3 *R, vec3 *force, vec3 *momen
 bool balance_stations(equilibrium *e, bool tangents);
 // The strains' energy [J] and the misfit of the balance as a strain, over the largest strain.
 void balance_check(equilibrium *e, double *energy, double *residual);
+// Whether a tendon has all but eaten its own length, and where.
+bool balance_finds_eaten(const equilibrium *e, int *tendon, int *station);
 // The tendons' lengths.
 void balance_lengths(equilibrium *e, double *length);
 // Wrench (t, r x t) of a unit tension of this tendon at this station, body frame.

@@ -201,9 +201,9 @@ int path_turn(equilibrium *e, path *way, double tolerance)
     }
     arc_point from = arc_point_here(e, arc_tangent(e, true, 0));
     double step = 0.1;
-    int straight = 0;
+    int straight = 0, tendon, station;
     for (int k = 0; k < ARC_STEPS; k++) {
-        if (e->iterations > way->most) {
+        if (e->iterations > way->most || balance_finds_eaten(e, &tendon, &station)) {
             return PATH_LOST;
         }
         path_keep(e);

@@ -304,6 +304,24 @@ bool balance_stations(equilibrium *e, bool tangents)
     return true;
 }
 
+// a tendon this short where no more load is borne has eaten its own length
+static const double all_but_eaten = 0.02;
+
+bool balance_finds_eaten(const equilibrium *e, int *tendon, int *station)
+{
+    for (int j = 0; j < e->rod->ntendon; j++) {
+        const plan_tendon *t = &e->plan->tendon[j];
+        for (int i = 0; i < t->nstation; i++) {
+            if (vec3_norm(tendon_direction(&t->place[i], &e->xi[i])) < all_but_eaten) {
+                *tendon = j;
+                *station = i;
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
 void balance_lengths(equilibrium *e, double *length)
 {
     const plan *p = e->plan;

@@ -8,6 +8,9 @@
 #include <math.h>
 #include <string.h>
 
+// between the directions in which a path turns at two stations next to each other
+static const double cos_bent_back = 0;
+
 typedef struct pair_matrix {
     double a[PAIR_STATIONS][PAIR_STATIONS];
 } pair_matrix;
@@ -46,6 +49,7 @@ static vec3 angular(const vec6 *x)
 // how a tendon's path turns in space at the stations of a pair, and how its tangent moves when the
 // strains change
 typedef struct path_turn_rate {
+    vec3 turn[PAIR_STATIONS];     // w x t + t' [1/m]
     double rate[PAIR_STATIONS];   // |w x t + t'| [1/m]
     double change[PAIR_STATIONS]; // of it, where strains change
 } path_turn_rate;
@@ -76,7 +80,7 @@ static path_turn_rate turn_rate(const equilibrium *e, const plan_tendon *tendon,
 {
     const double h = panel_length(e->plan, 2 * pair);
     const int first = PAIR_STATIONS * pair;
-    path_turn_rate out = {{0}, {0}};
+    path_turn_rate out = {.rate = {0}};
     vec3 t[PAIR_STATIONS], dt[PAIR_STATIONS];
     for (int i = 0; i < PAIR_STATIONS; i++) {
         const tendon_place *place = &tendon->place[first + i];
@@ -89,14 +93,14 @@ static path_turn_rate turn_rate(const equilibrium *e, const plan_tendon *tendon,
     }
     for (int i = 0; i < PAIR_STATIONS; i++) {
         const vec3 w = angular(&e->xi[first + i]);
-        const vec3 turn = vec3_add(vec3_cross(w, t[i]), slope_at(D, i, h, t));
-        out.rate[i] = vec3_norm(turn);
+        out.turn[i] = vec3_add(vec3_cross(w, t[i]), slope_at(D, i, h, t));
+        out.rate[i] = vec3_norm(out.turn[i]);
         // where the path does not turn at all its rate has no derivative: none is taken
         if (step && out.rate[i] > 0) {
             const vec3 dw = angular(&step[first + i]);
             vec3 change = vec3_add(vec3_cross(dw, t[i]), vec3_cross(w, dt[i]));
             change = vec3_add(change, slope_at(D, i, h, dt));
-            out.change[i] = vec3_dot(turn, change) / out.rate[i];
+            out.change[i] = vec3_dot(out.turn[i], change) / out.rate[i];
         }
     }
     return out;
@@ -124,17 +128,34 @@ static double *decay_of(const equilibrium *e, int tendon)
     return e->decay + (size_t)tendon * (size_t)e->room;
 }
 
+// Where a path straightens and bends to another side within a panel, its rate of turning has a
+// corner there, or nearly so, and the panels' order is lost: tau'' jumps
+static bool is_bent_back(const vec3 *turn, vec3 before)
+{
+    for (int i = 0; i < PAIR_STATIONS; i++) {
+        if (vec3_dot(turn[i], before) < cos_bent_back * vec3_norm(turn[i]) * vec3_norm(before)) {
+            return true;
+        }
+        before = turn[i];
+    }
+    return false;
+}
+
 void balance_friction(equilibrium *e)
 {
+    e->bent_back = false;
     const pair_matrix D = pair_slopes();
     for (int j = 0; j < e->rod->ntendon; j++) {
         const plan_tendon *t = &e->plan->tendon[j];
         const double mu = e->rod->spec[j].friction;
         double *decay = decay_of(e, j), angle = 0;
+        vec3 last = {{0, 0, 0}};
         for (int pair = 0; mu > 0 && PAIR_STATIONS * pair < t->nstation; pair++) {
             double upto[PAIR_STATIONS];
             const path_turn_rate turn = turn_rate(e, t, pair, &D, NULL);
             angle = integrate_pair(panel_length(e->plan, 2 * pair), turn.rate, angle, upto);
+            e->bent_back = e->bent_back || is_bent_back(turn.turn, last);
+            last = turn.turn[PAIR_STATIONS - 1];
             for (int i = 0; i < PAIR_STATIONS; i++) {
                 decay[PAIR_STATIONS * pair + i] = exp(-mu * upto[i]);
             }

@@ -98,7 +98,7 @@ vec3 refine_tip(equilibrium *e)
 static const double margin = 3, rounding = 2e-16;
 static const double near = 1e-4, far = 1e-2, short_panel = 0.75, long_panel = 2;
 static const double most_ratio = 2;
-enum { ORDER = 6, DOUBTED_ORDER = 4, LEAST_ORDER = 1 };
+enum { ORDER = 6, DOUBTED_ORDER = 4, BENT_ORDER = 2, LEAST_ORDER = 1 };
 
 // the longest panel in the rod's own lengths; after balance_poses and balance_wrenches
 static double longest_panel(const equilibrium *e)
@@ -121,7 +121,8 @@ static double estimate(const equilibrium *e, vec3 coarse, double ncoarse, vec3 f
     const double longest = longest_panel(e), ratio = fmin(nfine / ncoarse, most_ratio);
     int order = apart < near && longest < short_panel ? ORDER : DOUBTED_ORDER;
     order = apart < far && longest < long_panel ? order : LEAST_ORDER;
-    order = e->friction && order == ORDER ? DOUBTED_ORDER : order;
+    const int rubbing = e->bent_back ? BENT_ORDER : DOUBTED_ORDER;
+    order = e->friction && order > rubbing ? rubbing : order;
     return margin * apart / (pow(ratio, order) - 1) + rounding * 2 * nfine;
 }
 
