@@ -98,6 +98,12 @@ static void rod_line(summary *s, const run_result *r, int solution)
                            run->tension[i]);
         }
     }
+    const int nload = rod_rows_choose(&r->rod).nload;
+    for (int i = 0; i < nload; i++) {
+        const size_t used = strlen(pulled);
+        (void)snprintf(pulled + used, sizeof pulled - used, "%sx%.3g", used ? " " : "",
+                       run->load[i]);
+    }
     add(s, "         %-14s tip (%7.*f, %7.*f, %7.*f) mm bend %6.1f deg  strain %4.3g %%%s%s",
         pulled, d, plain(run->tip.p.a[0] * 1e3, least), d, plain(run->tip.p.a[1] * 1e3, least), d,
         plain(run->tip.p.a[2] * 1e3, least), degrees(run->total_bend_rad),
@@ -140,7 +146,9 @@ static void rod_lines(summary *s, const run_result *r, int room)
     const int space = room - 1 - rod_remarks(r, NULL);
     const int shown = rod->nsolution <= space ? rod->nsolution : space - 1;
     add(s, "rod      %.4g mm%s%s", r->rod_length * 1e3, rod->ntendon > 0 ? ", tensions in N" : "",
-        rod->nload > 0 ? ", under loads" : "");
+        rod_rows_choose(rod).nload > 0 ? ", times (x) loads"
+        : rod->nload > 0               ? ", under loads"
+                                       : "");
     for (int i = 0; i < shown; i++) {
         rod_line(s, r, i);
     }

@@ -97,6 +97,10 @@ static void what_is_wrong_with_a_rod_is_marked(void)
     CHECK(strstr(text, "1 of 4 stop at a limit point") && strstr(text, "1 of 4 have an estimated"));
     CHECK(strstr(text, "slack 0.66") != NULL);
     free(text);
+    r.rod.run[0].load[2] = 0.5;
+    text = summary_of(&r, 25);
+    CHECK(strstr(text, "times (x) loads") && strstr(text, "0.33 0 x1 x1 x0.5 x1 "));
+    free(text);
     synthetic_free(&r);
 }
 
