@@ -18,8 +18,8 @@ int main(void)
     static random_rods rods;
     CHECK_OK(random_rods_make(&rods));
     if (rods.state) {
-        none_is_wrong_and_none_silent(&rods, "any direction", random_at, 200);
-        none_is_wrong_and_none_silent(&rods, "in a plane", random_plane_at, 60);
+        none_is_wrong_and_none_silent(&rods, "any direction", random_at, 100);
+        none_is_wrong_and_none_silent(&rods, "in a plane", random_plane_at, 40);
     }
     random_rods_free(&rods);
     return test_failures != 0;
