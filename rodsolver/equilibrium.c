@@ -21,7 +21,7 @@ static status fail_way(const equilibrium *e, const path *way, int outcome)
                            "rod: tendon '%s' has eaten its own length at s = %.6g mm under %.6g N, "
                            "at %.6g of the load",
                            name ? name : "?", 1e3 * e->plan->s[station], e->tension[tendon],
-                           way->factor);
+                           e->factor);
     }
     return status_fail(ERR_NUMERIC, "rod: no equilibrium was found beyond %.6g of the load",
                        way->factor);

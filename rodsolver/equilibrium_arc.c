@@ -228,6 +228,15 @@ int path_turn(equilibrium *e, path *way, double tolerance)
             if (!arc_find_limit(e, &from, (arc_end){step, e->factor, rate}, &limit)) {
                 return PATH_LOST;
             }
+            if (limit > 1) {
+                // the request lies before it
+                step /= 3;
+                path_restore(e);
+                continue;
+            }
+            if (balance_finds_eaten(e, &tendon, &station)) {
+                return PATH_LOST;
+            }
             path_record(way, CRITICAL_LIMIT, limit, behind);
             if (!way->past) {
                 way->factor = limit;

@@ -151,7 +151,7 @@ vec6 balance_tendon(const equilibrium *e, int tendon, int station)
     return tendon_wrench(r, vec3_scale(1 / vec3_norm(d), d));
 }
 
-// a tendon this short has eaten its own length
+// a tendon this short, or turned round against the rod, has eaten its own length
 static const double eaten = 1e-7;
 
 // tension times (t, r x t), and its derivative tension / |d| A^T (I - t t^T) A
@@ -160,7 +160,7 @@ static bool add_tendon(const tendon_place *r, double tension, const vec6 *xi, ve
 {
     const vec3 d = tendon_direction(r, xi);
     const double length = vec3_norm(d);
-    if (!(length > eaten)) {
+    if (!(length > eaten && d.a[2] > 0)) {
         return false;
     }
     const vec3 t = vec3_scale(1 / length, d);
@@ -305,7 +305,7 @@ bool balance_stations(equilibrium *e, bool tangents)
 }
 
 // a tendon this short where no more load is borne has eaten its own length
-static const double all_but_eaten = 0.02;
+static const double all_but_eaten = 2e-3;
 
 bool balance_finds_eaten(const equilibrium *e, int *tendon, int *station)
 {
