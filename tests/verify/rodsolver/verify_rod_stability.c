@@ -1,0 +1,12 @@
+// tests/verify/rodsolver/verify_rod_stability.c
+// Every third line of docs/rod_stability.md: bench/bench_rod_stability.c makes the whole table.
+#include "tests/verify/rodsolver/rod_stress_loads.h"
+
+int main(void)
+{
+    const stress_count n = stress_all(3);
+    CHECK(n.rows > 25 && n.outside == 0 && n.silent == 0);
+    // refusals are the exception
+    CHECK(n.refused <= n.rows / 8);
+    return test_failures != 0;
+}
