@@ -11,20 +11,6 @@ void equilibrium_keep_wrenches(equilibrium *e)
     }
 }
 
-static int pair_of(const plan *p, double s)
-{
-    int low = 0, high = p->npair;
-    while (high - low > 1) {
-        const int middle = (low + high) / 2;
-        if (s < p->pair_edge[2 * middle]) {
-            high = middle;
-        } else {
-            low = middle;
-        }
-    }
-    return low;
-}
-
 // the solve's frame seen from the geometric one
 static pose frame_at(const rod_state *state, int pair, double s)
 {
@@ -83,7 +69,7 @@ vec6 equilibrium_wrench_at(const rod_state *state, double s)
 {
     const equilibrium *e = state->loaded;
     const plan *p = state->solved;
-    const int pair = pair_of(p, s);
+    const int pair = plan_pair_at(p, s);
     const pose here = pose_in_base(state, pair, s);
     const vec3 lever = vec3_sub(state->pair_pose[pair + 1].p, here.p);
     vec3 N = e->answer_N[pair];

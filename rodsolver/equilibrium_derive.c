@@ -54,9 +54,7 @@ static place find_place(const equilibrium *e, const rod_state *state, double s)
 {
     place at = {.s = s, .to_gc = mat6_identity()};
     const plan *p = e->plan;
-    while (at.pair + 1 < p->npair && s > p->pair_edge[2 * at.pair + 1]) {
-        at.pair++;
-    }
+    at.pair = plan_pair_at(p, s);
     const double *edge = &p->pair_edge[2 * at.pair];
     at.t = fmin(fmax(2 * (s - edge[0]) / (edge[1] - edge[0]), 0), 2);
     const pose world = rod_pose_at(state, s);

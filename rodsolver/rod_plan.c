@@ -314,3 +314,17 @@ void plan_free(plan *p, const struct rod *r)
     free(p->point_panel);
     *p = (plan){0};
 }
+
+int plan_pair_at(const plan *p, double s)
+{
+    int low = 0, high = p->npair;
+    while (high - low > 1) {
+        const int middle = (low + high) / 2;
+        if (s < p->pair_edge[2 * middle]) {
+            high = middle;
+        } else {
+            low = middle;
+        }
+    }
+    return low;
+}

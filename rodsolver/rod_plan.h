@@ -124,6 +124,9 @@ status plans_choose(struct rod *r);
 // The strain at a station of xi [6][n] or the like.
 vec6 station_gather(const double *rows, int n, int i);
 
+// The pair of panels in which s lies.
+int plan_pair_at(const plan *p, double s);
+
 // The pose of the geometric centre in the world at arclength s of the last answer.
 pose rod_pose_at(const rod_state *state, double s);
 

@@ -3,25 +3,11 @@
 
 #include <math.h>
 
-static int pair_of(const plan *p, double s)
-{
-    int low = 0, high = p->npair;
-    while (high - low > 1) {
-        const int middle = (low + high) / 2;
-        if (s < p->pair_edge[2 * middle]) {
-            high = middle;
-        } else {
-            low = middle;
-        }
-    }
-    return low;
-}
-
 pose rod_pose_at(const rod_state *state, double s)
 {
     const rod *r = state->rod;
     const plan *p = state->solved;
-    const int pair = pair_of(p, s);
+    const int pair = plan_pair_at(p, s);
     const double *edge = &p->pair_edge[2 * pair];
     const double t = 2 * (s - edge[0]) / (edge[1] - edge[0]);
     vec6 xi[PAIR_STATIONS];
@@ -59,7 +45,7 @@ status rod_shape(const rod_state *state, int npoint, double *s, pose *out)
 static vec6 strain_between(const rod_state *state, double s)
 {
     const plan *p = state->solved;
-    const int pair = pair_of(p, s);
+    const int pair = plan_pair_at(p, s);
     const double *edge = &p->pair_edge[2 * pair];
     double weight[PAIR_STATIONS];
     lie_pair_weights(2 * (s - edge[0]) / (edge[1] - edge[0]), weight);
@@ -88,7 +74,7 @@ static double tension_at(const rod_state *state, int tendon, double s)
         return state->tension[tendon];
     }
     // at its very end: the pair before that, behind which there is no tendon
-    const int pair = pair_of(p, fmin(s, (1 - end_rounding) * state->rod->spec[tendon].end));
+    const int pair = plan_pair_at(p, fmin(s, (1 - end_rounding) * state->rod->spec[tendon].end));
     const double *edge = &p->pair_edge[2 * pair];
     double weight[PAIR_STATIONS], sum = 0;
     lie_pair_weights(2 * (s - edge[0]) / (edge[1] - edge[0]), weight);
@@ -105,7 +91,7 @@ status rod_strain_at(const rod_state *state, double s, vec6 *xi)
         return status_fail(ERR_BUG, "rod: a strain is asked for before a solution");
     }
     const double clipped = fmin(fmax(s, 0), r->length);
-    const int pair = pair_of(state->solved, clipped);
+    const int pair = plan_pair_at(state->solved, clipped);
     const double *edge = &state->solved->pair_edge[2 * pair];
     mat6 K;
     local_problem q = {.K = &K, .tendon = state->local.tendon};
