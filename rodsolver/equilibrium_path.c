@@ -16,7 +16,7 @@ static const double rough = 3e-3;   // what is left on the way, before the last 
 static const double steep = 3;      // slopes from here on ask for sharper points
 static const double least_step = 1e-6;
 static const double shortest = 0.02, growth = 3, shrink = 0.35;
-enum { PATH_STEPS = 400, PATH_CORRECTIONS = 7 };
+enum { PATH_STEPS = 5000, PATH_CORRECTIONS = 7 };
 
 double path_product(const equilibrium *e, const vec6 *a, const vec6 *b)
 {
