@@ -116,6 +116,15 @@ static status solve_way(equilibrium *e, const rod_state *state, bool warm, path 
     return fail_way(e, way, *outcome);
 }
 
+// The way from follower loads or friction to an end without them: the end has a potential again
+static void see_end_alone(equilibrium *e)
+{
+    demand_copy(e->rod, &e->to, &e->from);
+    memcpy(e->from.tension, e->tension, (size_t)e->rod->ntendon * sizeof *e->tension);
+    demand_classify(e);
+    e->conservative = e->conservative && newton_linearize(e);
+}
+
 status equilibrium_solve(rod_state *state, const rod_request *request, rod_solution *out)
 {
     status st = OK;
@@ -123,7 +132,7 @@ status equilibrium_solve(rod_state *state, const rod_request *request, rod_solut
     path way = {.past = request->past};
     double error = 0;
     int outcome = PATH_LOST;
-    const bool warm = state->solved && !request->cold;
+    const bool warm = state->solved && !state->at_limit && !request->cold;
     if (warm) {
         demand_copy(e->rod, &e->to, &e->from);
         // those that were found for pulled lengths, too
@@ -143,12 +152,16 @@ status equilibrium_solve(rod_state *state, const rod_request *request, rod_solut
     out->fraction = way.factor;
     out->ncritical = way.ncritical;
     memcpy(out->critical, way.critical, sizeof out->critical);
+    if (st == OK && warm && !e->conservative) {
+        see_end_alone(e);
+    }
     if (st == OK || outcome == PATH_LIMIT) {
         balance_poses(e);
         if (e->friction) {
             balance_friction(e);
         }
         equilibrium_store_answer(e, state);
+        state->at_limit = outcome == PATH_LIMIT;
         equilibrium_tell(e, state, error, out);
         equilibrium_keep_wrenches(e);
         // at a limit point the second variation is singular: the rod does not stay there

@@ -73,6 +73,9 @@ status equilibrium_resume(rod_state *state)
     if (!state->solved) {
         return status_fail(ERR_BUG, "rod: derivatives are asked for before a solution");
     }
+    if (state->by_load && state->at_limit) {
+        return status_fail(ERR_NUMERIC, "rod: the answer is a limit point");
+    }
     if (!state->by_load) {
         equilibrium_remember(state);
     }

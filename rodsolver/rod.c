@@ -29,11 +29,39 @@ static status check_options(const law_along *law, const rod_options *options)
     return OK;
 }
 
+// Where the stiffness centre or its axes jump there is no curve through them to be solved along.
+// This near to an edge both sides are told apart, and sections solved twice differ by less than
+// this (of the length, rad)
+static const double beside_edge = 1e-9, frame_jump = 1e-6;
+
+static status check_frame(const law_along *law)
+{
+    double phi = law->turn[0];
+    for (int k = 0; k + 1 < law->npanel; k++) {
+        const double s = law->edge[k + 1], beside = beside_edge * law->length;
+        centre_frame a, b;
+        law_along_centre_frame(law, s - beside, phi, &a);
+        law_along_centre_frame(law, s + beside, a.phi, &b);
+        phi = b.phi;
+        const double apart = hypot(b.p[0] - a.p[0], b.p[1] - a.p[1]);
+        if (apart > frame_jump * law->length || fabs(b.phi - a.phi) > frame_jump) {
+            return status_fail(ERR_INPUT,
+                               "rod: the stiffness centre jumps at s = %.6g mm, by %.2g mm and "
+                               "%.2g rad: such a rod is solved in the geometric centre's frame",
+                               1e3 * s, 1e3 * apart, b.phi - a.phi);
+        }
+    }
+    return OK;
+}
+
 status rod_make(const rod_spec *spec, const rod_options *options, rod **out)
 {
     status st = OK;
     rod *r = NULL;
     TRY(check_options(spec->law, options));
+    if (options->frame == FRAME_NC) {
+        TRY(check_frame(spec->law));
+    }
     TRY(TAKE(r, 1));
     r->options = *options;
     r->doubt = 1;

@@ -89,7 +89,7 @@ typedef enum rod_frame { FRAME_GC, FRAME_NC } rod_frame;
 #define ROD_MIN_TOLERANCE 1e-13
 
 typedef struct rod_options {
-    int frame;        // rod_frame
+    int frame; // rod_frame; FRAME_NC only where neither the stiffness centre nor its axes jump
     double tolerance; // |p - p_exact| / L at the tip
     int npanel; // integration panels, rounded up to pairs in every smooth stretch; 0: as many as
                 // the tolerance needs, chosen anew for every solve among plans that rod_make
@@ -172,7 +172,8 @@ typedef struct rod_solution {
 //   ERR_NUMERIC  a tendon has eaten its own length; or a limit point stands in the way
 //                (out->fraction < 1, out->critical tells; the state is that of the limit point); or
 //                no convergence; or the tolerance cannot be met
-// After a failure other than a limit point the state is at rest.
+// After a failure other than a limit point the state is at rest. From a limit point nothing is
+// derived, and the next solve starts from rest.
 status rod_solve(rod_state *state, const rod_request *request, rod_solution *out);
 
 // Panels of the last solution; before one, those that a load near the critical one begins with.

@@ -90,7 +90,8 @@ struct rod_state {
     lane_tendon *lane_tendon; // [ntendon] room
     local_problem local;      // room for ntendon tendons
     equilibrium *loaded;      // rods under load; made with the state
-    bool by_load;             // the last answer is one of `loaded`
+    bool by_load;             // the last answer is one of `loaded` ...
+    bool at_limit;            // ... at a limit point: to be looked at, but nothing starts from it
 };
 
 // Shares of the critical tension at which rod_make tries its plans.

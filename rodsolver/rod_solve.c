@@ -193,7 +193,7 @@ static status solve(rod_state *state, const rod_request *request, bool told, rod
         return equilibrium_solve(state, request, out);
     }
     state->warm = !request->cold && !state->by_load ? state->solved : NULL;
-    state->by_load = false;
+    state->by_load = state->at_limit = false;
     TRY(solve_stationwise(state, out));
     out->tip = request->base ? pose_mul(state->base, out->tip) : out->tip;
     if (told) {

@@ -230,6 +230,31 @@ static void bad_specs_are_refused(void)
     law_along_free(&law);
 }
 
+// the stiffness centre moves over at once in the middle: no curve goes through it
+static void jumps_of_the_frame_are_refused(void)
+{
+    const prototype p = constant_nc();
+    law_along whole = {0}, law = {0};
+    prototype_law(&p, &whole);
+    CHECK_OK(law_along_make(0.12, 2, 1, &law));
+    law.law[0] = whole.law[0];
+    law.law[1] = whole.law[0];
+    const rod_spec spec = {.law = &law};
+    const rod_options options = {.frame = FRAME_NC, .tolerance = 1e-9};
+    rod_free(rod_of(&spec, options));
+    for (int i = 0; i < 6; i++) {
+        law.law[1].K.a[i][4] *= i == 4 ? 1 : 0.5;
+        law.law[1].K.a[4][i] *= i == 4 ? 1 : 0.5;
+    }
+    rod *r = NULL;
+    CHECK(rod_make(&spec, &options, &r) == ERR_INPUT);
+    CHECK(r == NULL);
+    status_clear();
+    rod_free(rod_of(&spec, (rod_options){.tolerance = 1e-9}));
+    law_along_free(&law);
+    law_along_free(&whole);
+}
+
 int main(void)
 {
     rest_shape_is_a_helix();
@@ -239,5 +264,6 @@ int main(void)
     node_frames_are_those_of_the_law();
     plans_are_small();
     bad_specs_are_refused();
+    jumps_of_the_frame_are_refused();
     return test_failures != 0;
 }
