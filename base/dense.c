@@ -66,17 +66,6 @@ mat6 mat6_congruence(mat6 t, mat6 k)
     return mat6_mul(mat6_transpose(t), mat6_mul(k, t));
 }
 
-vec6 mat6_mul_vec(mat6 a, vec6 v)
-{
-    vec6 w = {0};
-    for (int i = 0; i < 6; i++) {
-        for (int j = 0; j < 6; j++) {
-            w.a[i] += a.a[i][j] * v.a[j];
-        }
-    }
-    return w;
-}
-
 bool mat6_cholesky(mat6 a, mat6 *lower)
 {
     mat6 l = {0};

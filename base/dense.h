@@ -146,6 +146,17 @@ static inline double vec6_dot(vec6 u, vec6 v)
     return sum;
 }
 
+static inline vec6 mat6_mul_vec(mat6 a, vec6 v)
+{
+    vec6 w = {0};
+    for (int i = 0; i < 6; i++) {
+        for (int j = 0; j < 6; j++) {
+            w.a[i] += a.a[i][j] * v.a[j];
+        }
+    }
+    return w;
+}
+
 // --- 6x6
 
 mat6 mat6_identity(void);
@@ -155,7 +166,6 @@ mat6 mat6_mul(mat6 a, mat6 b);
 mat6 mat6_transpose(mat6 a);
 mat6 mat6_symmetric(mat6 a);          // (a + a^T) / 2
 mat6 mat6_congruence(mat6 t, mat6 k); // t^T k t
-vec6 mat6_mul_vec(mat6 a, vec6 v);
 
 // Cholesky of a symmetric positive definite matrix, lower triangle; false when it is not.
 bool mat6_cholesky(mat6 a, mat6 *lower);
