@@ -168,7 +168,7 @@ typedef struct rod_solution {
 } rod_solution;
 
 // The equilibrium reached by continuation, from the last answer or from rest.
-//   ERR_INPUT    a negative tension, a number that is not finite
+//   ERR_INPUT    a negative tension, a number that is not finite, a base whose R is no rotation
 //   ERR_NUMERIC  a tendon has eaten its own length; or a limit point stands in the way
 //                (out->fraction < 1, out->critical tells; the state is that of the limit point); or
 //                no convergence; or the tolerance cannot be met

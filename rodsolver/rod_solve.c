@@ -39,13 +39,34 @@ static bool all_finite(const double *a, int n)
     return true;
 }
 
+// products of a rotation's columns are those of the axes to this, after many steps of a loop too
+static const double orthogonal = 1e-6;
+
+static bool is_rotation(const mat3 *R)
+{
+    const double(*a)[3] = R->a;
+    bool good = true;
+    for (int i = 0; i < 3; i++) {
+        const double *x = a[i], *y = a[(i + 1) % 3];
+        good = good && fabs(x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 1) <= orthogonal &&
+               fabs(x[0] * y[0] + x[1] * y[1] + x[2] * y[2]) <= orthogonal;
+    }
+    const double volume = a[0][0] * (a[1][1] * a[2][2] - a[1][2] * a[2][1]) +
+                          a[0][1] * (a[1][2] * a[2][0] - a[1][0] * a[2][2]) +
+                          a[0][2] * (a[1][0] * a[2][1] - a[1][1] * a[2][0]);
+    return good && volume > 0;
+}
+
 static status check_request(const rod *r, const rod_request *q)
 {
     if (!all_finite(q->tip_space.a, 6) || !all_finite(q->tip_body.a, 6)) {
         return status_fail(ERR_INPUT, "rod: the wrench on the tip is not finite");
     }
-    if (q->base && !(all_finite(q->base->p.a, 3) && all_finite(q->base->R.a[0], 9))) {
-        return status_fail(ERR_INPUT, "rod: the pose of the base is not finite");
+    if (q->base && !all_finite(q->base->p.a, 3)) {
+        return status_fail(ERR_INPUT, "rod: the place of the base is not finite");
+    }
+    if (q->base && !is_rotation(&q->base->R)) {
+        return status_fail(ERR_INPUT, "rod: the axes of the base are no rotation");
     }
     if (q->load && !all_finite(q->load, rod_load_count(r))) {
         return status_fail(ERR_INPUT, "rod: a factor of a load is not finite");

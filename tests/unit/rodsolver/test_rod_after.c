@@ -81,9 +81,33 @@ static void requests_may_change_their_kind(void)
     law_along_free(&law);
 }
 
+// turned over, stretched, nothing at all, not a number: refused, and the next solve is as if new
+static void bases_are_rotations(void)
+{
+    law_along law = flat_law();
+    const made_rod m = make_rod(&law, 0, NULL, (rod_options){.tolerance = 1e-9});
+    const pose bad[4] = {
+        {.R = {{{1, 0, 0}, {0, 1, 0}, {0, 0, -1}}}},
+        {.R = {{{1, 0, 0}, {0, 2, 0}, {0, 0, 1}}}},
+        {.R = {{{0}}}},
+        {.R = {{{1, 0, 0}, {0, NAN, 0}, {0, 0, 1}}}},
+    };
+    const pose turned = {.R = {{{0, 0, 1}, {1, 0, 0}, {0, 1, 0}}}, .p = {{1, 2, 3}}};
+    for (int i = 0; i < 5; i++) {
+        rod_solution out = {0};
+        const rod_request request = {.base = i < 4 ? &bad[i] : &turned};
+        CHECK(rod_solve(m.state, &request, &out) == (i < 4 ? ERR_INPUT : OK));
+        status_clear();
+        CHECK(i < 4 || out.tip.p.a[0] == 1.12);
+    }
+    free_rod(m);
+    law_along_free(&law);
+}
+
 int main(void)
 {
     limit_points_are_left();
     requests_may_change_their_kind();
+    bases_are_rotations();
     return test_failures != 0;
 }
