@@ -9,6 +9,8 @@ enum { SEARCH_STEPS = 60, ARC_STEPS = 2000, ARC_CORRECTIONS = 8 };
 
 // the width of the bracket at which a search stops, of the factor and of an arclength step
 static const double search_width = 1e-10, arc_width = 1e-3;
+// steps in the turn of the rod and the factor, and the part of a step that corrections aim at
+static const double first_arc = 0.1, longest_arc = 0.5, least_arc = 1e-7, arc_aim = 0.05;
 // corrections; at a limit point, whose factor they enter by their square
 static const double search_tolerance = 1e-9, singular_tolerance = 1e-6, stalled = 0.1;
 
@@ -191,83 +193,116 @@ static int arc_arrive(equilibrium *e, path *way, const arc_point *from, double t
     return PATH_ARRIVED;
 }
 
-int path_turn(equilibrium *e, path *way, double tolerance)
+// the points of the way are rough: across a short step that would be all there is
+static bool arc_start(equilibrium *e, arc_point *from)
 {
-    // the points of the way are rough: across a short step that would be all there is
     double moved;
     if (!newton_linearize(e) || !arc_correct(e, arc_tangent(e, true, 0), &moved) ||
         !newton_linearize(e)) {
-        return PATH_LOST;
+        return false;
     }
-    arc_point from = arc_point_here(e, arc_tangent(e, true, 0));
-    double step = 0.1;
-    int straight = 0, tendon, station;
-    for (int k = 0; k < ARC_STEPS; k++) {
-        if (e->iterations > way->most || balance_finds_eaten(e, &tendon, &station)) {
-            return PATH_LOST;
-        }
-        path_keep(e);
-        if (!arc_step(e, &from, step, &moved)) {
-            step /= 3;
-            path_restore(e);
-            if (step < 1e-7) {
-                return PATH_LOST;
-            }
-            continue;
-        }
-        if (e->factor >= 1 && from.along > 0) {
-            return arc_arrive(e, way, &from, tolerance);
-        }
-        if (!newton_linearize(e)) {
-            return PATH_LOST;
-        }
-        const double rate = arc_rate(e, &from);
-        if ((rate > 0) != (from.along > 0)) {
-            const int behind = e->conservative ? e->negative : -1;
-            double limit;
-            if (!arc_find_limit(e, &from, (arc_end){step, e->factor, rate}, &limit)) {
-                return PATH_LOST;
-            }
-            if (limit > 1) {
-                // the request lies before it
-                step /= 3;
-                path_restore(e);
-                continue;
-            }
-            if (balance_finds_eaten(e, &tendon, &station)) {
-                return PATH_LOST;
-            }
-            path_record(way, CRITICAL_LIMIT, limit, behind);
-            if (!way->past) {
-                way->factor = limit;
-                return PATH_LIMIT;
-            }
-            // on from the point behind the limit
-            if (!arc_step(e, &from, step, &moved) || !newton_linearize(e)) {
-                return PATH_LOST;
-            }
-            straight = 0;
-        } else if (e->conservative ? e->negative != from.negative
-                                   : e->determinant != from.determinant) {
-            const int behind = e->conservative ? e->negative : -1;
-            const double crossing = arc_find_crossing(e, &from, step);
-            path_record(way, CRITICAL_BIFURCATION, crossing, behind);
-            if (!arc_step(e, &from, step, &moved) || !newton_linearize(e)) {
-                return PATH_LOST;
-            }
-        }
-        const double next = arc_tangent(e, false, from.along);
-        straight = next > 0 ? straight + 1 : 0;
-        from = arc_point_here(e, next);
-        step *= fmin(2, fmax(0.3, sqrt(0.05 * step / fmax(moved, 1e-9))));
-        step = fmin(step, 0.5);
-        if (!way->past && straight > 8 && next > 0.3) {
-            break;
-        }
+    *from = arc_point_here(e, arc_tangent(e, true, 0));
+    return true;
+}
+
+static int behind(const equilibrium *e)
+{
+    return e->conservative ? e->negative : -1;
+}
+
+enum { ARC_ON, ARC_SHORTER, ARC_STOP, ARC_LOST };
+
+// a limit point between the kept point and the present one, where the factor grows at this rate
+static int pass_limit(equilibrium *e, path *way, const arc_point *from, double step, double rate)
+{
+    const int negative = behind(e);
+    double limit, moved;
+    int tendon, station;
+    if (!arc_find_limit(e, from, (arc_end){step, e->factor, rate}, &limit)) {
+        return ARC_LOST;
     }
+    if (limit > 1) {
+        return ARC_SHORTER; // the request lies before it
+    }
+    if (balance_finds_eaten(e, &tendon, &station)) {
+        return ARC_LOST;
+    }
+    path_record(way, CRITICAL_LIMIT, limit, negative);
+    if (!way->past) {
+        way->factor = limit;
+        return ARC_STOP;
+    }
+    return arc_step(e, from, step, &moved) && newton_linearize(e) ? ARC_ON : ARC_LOST;
+}
+
+static int pass_crossing(equilibrium *e, path *way, const arc_point *from, double step)
+{
+    const int negative = behind(e);
+    double moved;
+    path_record(way, CRITICAL_BIFURCATION, arc_find_crossing(e, from, step), negative);
+    return arc_step(e, from, step, &moved) && newton_linearize(e) ? ARC_ON : ARC_LOST;
+}
+
+// what lies between the kept point and the present one
+static int pass(equilibrium *e, path *way, const arc_point *from, double step)
+{
+    if (!newton_linearize(e)) {
+        return ARC_LOST;
+    }
+    const double rate = arc_rate(e, from);
+    if ((rate > 0) != (from->along > 0)) {
+        return pass_limit(e, way, from, step, rate);
+    }
+    const int left = e->conservative ? from->negative : from->determinant;
+    return arc_character(e) != left ? pass_crossing(e, way, from, step) : ARC_ON;
+}
+
+static int arc_leave(const equilibrium *e, path *way)
+{
     way->factor = e->factor;
     way->negative = e->negative;
     way->determinant = e->determinant;
     way->log_determinant = sweep_log_determinant(e);
     return PATH_ARRIVED;
+}
+
+int path_turn(equilibrium *e, path *way, double tolerance)
+{
+    arc_point from;
+    double step = first_arc;
+    int straight = 0, tendon, station;
+    if (!arc_start(e, &from)) {
+        return PATH_LOST;
+    }
+    for (int k = 0; k < ARC_STEPS; k++) {
+        double moved = 0;
+        if (e->iterations > way->most || step < least_arc ||
+            balance_finds_eaten(e, &tendon, &station)) {
+            return PATH_LOST;
+        }
+        path_keep(e);
+        int next = arc_step(e, &from, step, &moved) ? ARC_ON : ARC_SHORTER;
+        if (next == ARC_ON && e->factor >= 1 && from.along > 0) {
+            return arc_arrive(e, way, &from, tolerance);
+        }
+        next = next == ARC_ON ? pass(e, way, &from, step) : next;
+        if (next == ARC_LOST || next == ARC_STOP) {
+            return next == ARC_STOP ? PATH_LIMIT : PATH_LOST;
+        }
+        if (next == ARC_SHORTER) {
+            step /= 3;
+            path_restore(e);
+            continue;
+        }
+        const double along = arc_tangent(e, false, from.along);
+        // back to natural steps where the factor has grown for a while
+        straight = along > 0 && from.along > 0 ? straight + 1 : 0;
+        from = arc_point_here(e, along);
+        step *= fmin(2, fmax(0.3, sqrt(arc_aim * step / fmax(moved, 1e-9))));
+        step = fmin(step, longest_arc);
+        if (!way->past && straight > 8 && along > 0.3) {
+            break;
+        }
+    }
+    return arc_leave(e, way);
 }

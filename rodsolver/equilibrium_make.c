@@ -142,46 +142,31 @@ done:
     return st;
 }
 
-void equilibrium_free(equilibrium *e)
+static void free_all(size_t n, void **owned)
 {
-    if (!e) {
-        return;
+    for (size_t i = 0; i < n; i++) {
+        free(owned[i]);
     }
-    give_back_demand(&e->from);
-    give_back_demand(&e->to);
-    void *owned[] = {e->xi,
-                     e->line,
-                     e->line_from,
-                     e->line_to,
-                     e->line_difference,
-                     e->state,
-                     e->tangent,
-                     e->omega,
-                     e->nu,
-                     e->rv,
-                     e->rw,
-                     e->kept_v,
-                     e->kept_w,
-                     e->arc_v,
-                     e->load_rate,
-                     e->node_N,
+}
+
+static void give_back_stations(equilibrium *e)
+{
+    void *owned[] = {
+        e->xi,           e->line,          e->line_from, e->line_to,     e->line_difference,
+        e->state,        e->tangent,       e->omega,     e->nu,          e->rv,
+        e->rw,           e->kept_v,        e->kept_w,    e->arc_v,       e->load_rate,
+        e->arc_w,        e->step,          e->slope,     e->old,         e->scratch,
+        e->direction,    e->arc_step,      e->decay,     e->follow.v,    e->follow.w,
+        e->follow.given, e->follow.change, e->follow.x,  e->follow.basis};
+    free_all(sizeof owned / sizeof *owned, owned);
+}
+
+static void give_back_rest(equilibrium *e)
+{
+    void *owned[] = {e->node_N,
                      e->node_M,
                      e->answer_N,
                      e->answer_M,
-                     e->arc_w,
-                     e->step,
-                     e->slope,
-                     e->old,
-                     e->scratch,
-                     e->direction,
-                     e->arc_step,
-                     e->decay,
-                     e->follow.v,
-                     e->follow.w,
-                     e->follow.given,
-                     e->follow.change,
-                     e->follow.x,
-                     e->follow.basis,
                      e->node,
                      e->node_from,
                      e->node_to,
@@ -202,8 +187,17 @@ void equilibrium_free(equilibrium *e)
                      e->tension_old,
                      e->tension_direction,
                      e->arc_tension};
-    for (size_t i = 0; i < sizeof owned / sizeof *owned; i++) {
-        free(owned[i]);
+    free_all(sizeof owned / sizeof *owned, owned);
+}
+
+void equilibrium_free(equilibrium *e)
+{
+    if (!e) {
+        return;
     }
+    give_back_demand(&e->from);
+    give_back_demand(&e->to);
+    give_back_stations(e);
+    give_back_rest(e);
     free(e);
 }
