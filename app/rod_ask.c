@@ -37,9 +37,5 @@ void rod_ask_fill(rod_ask *ask, int i)
 
 bool rod_ask_limited(status st, const rod_solution *solution)
 {
-    bool limit = false;
-    for (int i = 0; i < solution->ncritical; i++) {
-        limit = limit || solution->critical[i].kind == CRITICAL_LIMIT;
-    }
-    return st == ERR_NUMERIC && limit && solution->fraction < 1;
+    return st == ERR_NUMERIC && solution->limited;
 }

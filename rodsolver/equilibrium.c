@@ -23,6 +23,11 @@ static status fail_way(const equilibrium *e, const path *way, int outcome)
                            name ? name : "?", 1e3 * e->plan->s[station], e->tension[tendon],
                            e->factor);
     }
+    if (balance_finds_pressed(e, &station)) {
+        return status_fail(ERR_NUMERIC,
+                           "rod: pressed to nothing at s = %.6g mm, at %.6g of the load",
+                           1e3 * e->plan->s[station], e->factor);
+    }
     return status_fail(ERR_NUMERIC, "rod: no equilibrium was found beyond %.6g of the load",
                        way->factor);
 }
@@ -149,6 +154,7 @@ status equilibrium_solve(rod_state *state, const rod_request *request, rod_solut
     demand_classify(e);
     st = solve_way(e, state, warm, &way, &error, &outcome);
     state->solved = NULL;
+    out->limited = outcome == PATH_LIMIT;
     out->fraction = way.factor;
     out->ncritical = way.ncritical;
     memcpy(out->critical, way.critical, sizeof out->critical);

@@ -199,6 +199,7 @@ bool balance_stations(equilibrium *e, bool tangents);
 // The strains' energy [J] and the misfit of the balance as a strain, over the largest strain.
 void balance_check(equilibrium *e, double *energy, double *residual);
 // Whether a tendon has all but eaten its own length, and where.
+bool balance_finds_pressed(const equilibrium *e, int *station);
 bool balance_finds_eaten(const equilibrium *e, int *tendon, int *station);
 // The tendons' lengths.
 void balance_lengths(equilibrium *e, double *length);

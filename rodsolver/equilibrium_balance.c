@@ -282,6 +282,10 @@ bool balance_stations(equilibrium *e, bool tangents)
         if (tangents) {
             b = split(&e->plan->K[i], 1 + e->shift);
         }
+        // a section that is pressed through its neighbour is no rod any more
+        if (!(e->xi[i].a[2] > 0)) {
+            return false;
+        }
         if (!station_force(e, i, &force, tangents ? &b : NULL)) {
             return false;
         }

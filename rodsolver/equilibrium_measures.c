@@ -7,6 +7,9 @@
 // a tendon this short where no more load is borne has eaten its own length
 static const double all_but_eaten = 2e-3;
 
+// a section this thin where no more load is borne is pressed to nothing
+static const double all_but_pressed = 0.05;
+
 bool balance_finds_eaten(const equilibrium *e, int *tendon, int *station)
 {
     for (int j = 0; j < e->rod->ntendon; j++) {
@@ -17,6 +20,17 @@ bool balance_finds_eaten(const equilibrium *e, int *tendon, int *station)
                 *station = i;
                 return true;
             }
+        }
+    }
+    return false;
+}
+
+bool balance_finds_pressed(const equilibrium *e, int *station)
+{
+    for (int i = 0; i < e->plan->nstation; i++) {
+        if (e->xi[i].a[2] < all_but_pressed) {
+            *station = i;
+            return true;
         }
     }
     return false;

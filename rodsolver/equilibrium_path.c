@@ -52,11 +52,13 @@ void path_factor(equilibrium *e, double factor)
 
 void path_record(path *way, int kind, double fraction, int negative)
 {
-    if (way->ncritical < ROD_MAX_CRITICAL) {
-        way->critical[way->ncritical] =
-            (rod_critical){.kind = kind, .fraction = fraction, .negative = negative};
+    // where there is no room the first ones stay, and the limit point that ends the way
+    if (way->ncritical == ROD_MAX_CRITICAL && kind != CRITICAL_LIMIT) {
+        return;
     }
-    way->ncritical++;
+    way->ncritical -= way->ncritical == ROD_MAX_CRITICAL;
+    way->critical[way->ncritical++] =
+        (rod_critical){.kind = kind, .fraction = fraction, .negative = negative};
 }
 
 bool path_try(equilibrium *e, double factor, double tolerance, double predicted, double *moved)

@@ -158,7 +158,9 @@ typedef struct rod_solution {
     int stable;            // 1, 0, or -1: not known (follower loads, friction: no potential)
     double eigenvalue;     // smallest of the second variation over the elastic energy's: 1 is the
                            // rod at rest, 0 critical; NAN: not asked for, or no potential
-    int ncritical;         // met on the way, the first ROD_MAX_CRITICAL of them kept
+    bool limited;          // a limit point stands in the way, and this is the answer there
+    int ncritical;         // met on the way; of more than ROD_MAX_CRITICAL the first ones, and the
+                           // limit point that stands in the way
     rod_critical critical[ROD_MAX_CRITICAL];
     double energy;   // stored by the strains [J]
     double work;     // of dead loads and tendons on the way from rest, by the balance of
@@ -170,8 +172,8 @@ typedef struct rod_solution {
 // The equilibrium reached by continuation, from the last answer or from rest.
 //   ERR_INPUT    a negative tension, a number that is not finite, a base whose R is no rotation
 //   ERR_NUMERIC  a tendon has eaten its own length; or a limit point stands in the way
-//                (out->fraction < 1, out->critical tells; the state is that of the limit point); or
-//                no convergence; or the tolerance cannot be met
+//                (out->limited, out->fraction, out->critical tell; the state is that of the limit
+//                point); or no convergence; or the tolerance cannot be met
 // After a failure other than a limit point the state is at rest. From a limit point nothing is
 // derived, and the next solve starts from rest.
 status rod_solve(rod_state *state, const rod_request *request, rod_solution *out);

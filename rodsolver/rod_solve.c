@@ -186,6 +186,7 @@ done:
 
 static void tell(const rod_state *state, rod_solution *out)
 {
+    out->limited = false;
     out->fraction = 1;
     out->stable = 1; // the energy is convex: docs/theory.md (4.3)
     out->eigenvalue = NAN;
