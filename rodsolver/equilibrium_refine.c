@@ -98,27 +98,52 @@ vec3 refine_tip(equilibrium *e)
 static const double margin = 3, rounding = 2e-16;
 static const double near = 1e-4, far = 1e-2, short_panel = 0.75, long_panel = 2;
 static const double most_ratio = 2;
+// a panel that both plans have must be this part of the longest one: to the sixth power that is a
+// twentieth of the error
+static const double unseen = 0.6;
 enum { ORDER = 6, DOUBTED_ORDER = 4, BENT_ORDER = 2, LEAST_ORDER = 1 };
 
-// the longest panel in the rod's own lengths; after balance_poses and balance_wrenches
-static double longest_panel(const equilibrium *e)
+static bool has_pair(const plan *p, const double *edge)
 {
-    const plan *p = e->plan;
-    double longest = 0;
-    for (int i = 0; i < p->nstation; i++) {
-        const double *x = e->xi[i].a;
-        const double w2 = x[3] * x[3] + x[4] * x[4] + x[5] * x[5];
-        const double EI = fmin(p->K[i].a[3][3], p->K[i].a[4][4]);
-        const double rate2 = fmax(w2, vec3_norm(e->state[i].N) / EI);
-        longest = fmax(longest, panel_length(p, i / GAUSS_STATIONS) * sqrt(rate2));
-    }
-    return longest;
+    const int k = plan_pair_at(p, (edge[0] + edge[1]) / 2);
+    return p->pair_edge[2 * k] == edge[0] && p->pair_edge[2 * k + 1] == edge[1];
 }
 
-static double estimate(const equilibrium *e, vec3 coarse, double ncoarse, vec3 fine, double nfine)
+// The longest panels in the rod's own lengths, of all and of those that a coarser plan has too:
+// their errors cancel in the difference of the two. After balance_poses and balance_wrenches
+typedef struct panels {
+    double longest, shared;
+} panels;
+
+static panels measure_panels(const equilibrium *e, const plan *coarse)
+{
+    const plan *p = e->plan;
+    panels out = {0, 0};
+    for (int k = 0; k < p->npair; k++) {
+        double longest = 0;
+        for (int i = PAIR_STATIONS * k; i < PAIR_STATIONS * (k + 1); i++) {
+            const double *x = e->xi[i].a;
+            const double w2 = x[3] * x[3] + x[4] * x[4] + x[5] * x[5];
+            const double EI = fmin(p->K[i].a[3][3], p->K[i].a[4][4]);
+            const double rate2 = fmax(w2, vec3_norm(e->state[i].N) / EI);
+            longest = fmax(longest, panel_length(p, 2 * k) * sqrt(rate2));
+        }
+        out.longest = fmax(out.longest, longest);
+        out.shared =
+            has_pair(coarse, &p->pair_edge[2 * k]) ? fmax(out.shared, longest) : out.shared;
+    }
+    return out;
+}
+
+static double estimate(const equilibrium *e, vec3 coarse, const plan *coarse_plan, vec3 fine)
 {
     const double apart = vec3_norm(vec3_sub(fine, coarse)) / e->rod->length;
-    const double longest = longest_panel(e), ratio = fmin(nfine / ncoarse, most_ratio);
+    const double nfine = e->plan->npair, ratio = fmin(nfine / coarse_plan->npair, most_ratio);
+    const panels of = measure_panels(e, coarse_plan);
+    const double longest = of.longest;
+    if (of.shared > unseen * longest) {
+        return HUGE_VAL;
+    }
     int order = apart < near && longest < short_panel ? ORDER : DOUBTED_ORDER;
     order = apart < far && longest < long_panel ? order : LEAST_ORDER;
     const int rubbing = e->bent_back ? BENT_ORDER : DOUBTED_ORDER;
@@ -166,7 +191,7 @@ static double compare_coarser(equilibrium *e, const plan *coarse)
     equilibrium_use_plan(e, fine);
     e->negative = negative;
     e->determinant = determinant;
-    return found ? estimate(e, other, coarse->npair, tip, fine->npair) : HUGE_VAL;
+    return found ? estimate(e, other, coarse, tip) : HUGE_VAL;
 }
 
 static const plan *coarser_plan(const equilibrium *e)
@@ -197,7 +222,7 @@ static int refine(equilibrium *e, double *error)
             return ROUGH_FAILED;
         }
         const vec3 fine = refine_tip(e);
-        *error = estimate(e, coarse, r->plans[level].npair, fine, r->plans[next].npair);
+        *error = estimate(e, coarse, &r->plans[level], fine);
         if (*error <= r->options.tolerance) {
             return REFINED;
         }
