@@ -8,24 +8,19 @@ static const rod_case_at helical_one = {"helical, 1 tendon", helical_law, 1, fal
 static const rod_case_at straight_one = {
     "homogeneous, 1 tendon", homogeneous_law, 1, false, {0.98}, {0}};
 // of the references: straight annulus, tip force across
-static const rod_case_at force_only = {
-    "homogeneous, tip force", homogeneous_law, 1, false, {0}, {0, 0.02, 0}};
+static const rod_case_at force_only = {"homogeneous, force", homogeneous_law, 1, false, {0},
+                                       {0, 0.02, 0}};
 static const rod_case_at force_and_tendon = {
-    "homogeneous, 1 tendon, tip force", homogeneous_law, 1, false, {0.5}, {-0.02, 0, 0}};
+    "homogeneous, 1 tendon, force", homogeneous_law, 1, false, {0.5}, {-0.02, 0, 0}};
 static const rod_case_at loaded_cases[] = {
-    {"homogeneous, 3 tendons, tip force",
+    {"homogeneous, 3 tendons, force",
      homogeneous_law,
      3,
      false,
      {0.5, 0.3, 0.1},
      {0.01, 0.01, -0.01}},
-    {"helical, 1 tendon, tip force", helical_law, 1, false, {0.98}, {0, 0.02, 0}},
-    {"helical, 3 turning tendons, tip force",
-     helical_law,
-     3,
-     true,
-     {0.98, 0.49, 0.2},
-     {0, 0.02, 0}},
+    {"helical, 1 tendon, force", helical_law, 1, false, {0.98}, {0, 0.02, 0}},
+    {"helical, 3 turning, force", helical_law, 3, true, {0.98, 0.49, 0.2}, {0, 0.02, 0}},
 };
 static const rod_case_at cases[] = {
     {"homogeneous, 3 tendons", homogeneous_law, 3, false, {0.98, 0.49, 0.2}, {0}},
