@@ -39,6 +39,12 @@ static inline vec3 vec3_scale(double c, vec3 v)
     return (vec3){{c * v.a[0], c * v.a[1], c * v.a[2]}};
 }
 
+// u + c v
+static inline vec3 vec3_add_scaled(vec3 u, double c, vec3 v)
+{
+    return (vec3){{u.a[0] + c * v.a[0], u.a[1] + c * v.a[1], u.a[2] + c * v.a[2]}};
+}
+
 static inline vec3 vec3_cross(vec3 u, vec3 v)
 {
     return (vec3){{u.a[1] * v.a[2] - u.a[2] * v.a[1], u.a[2] * v.a[0] - u.a[0] * v.a[2],
@@ -135,6 +141,17 @@ static inline vec6 vec6_scale(double c, vec6 v)
         v.a[i] *= c;
     }
     return v;
+}
+
+// its first three entries, and its last
+static inline vec3 vec6_linear(vec6 u)
+{
+    return (vec3){{u.a[0], u.a[1], u.a[2]}};
+}
+
+static inline vec3 vec6_angular(vec6 u)
+{
+    return (vec3){{u.a[3], u.a[4], u.a[5]}};
 }
 
 static inline double vec6_dot(vec6 u, vec6 v)

@@ -6,11 +6,6 @@
 
 enum { G = GAUSS_STATIONS, UNKNOWNS = PANEL_UNKNOWNS };
 
-static vec3 plus(vec3 a, double c, vec3 b)
-{
-    return (vec3){{a.a[0] + c * b.a[0], a.a[1] + c * b.a[1], a.a[2] + c * b.a[2]}};
-}
-
 static vec3 minus_product(vec3 a, const mat3 *m, vec3 b)
 {
     return vec3_sub(a, mat3_mul_vec(*m, b));
@@ -35,10 +30,10 @@ static panel_motion move_panel(const equilibrium *e, int k, double h, vec3 phi, 
 {
     panel_motion m = {.end = phi};
     for (int j = 0; j < G; j++) {
-        m.end = plus(m.end, h * gauss_weight[j], omega[j]);
+        m.end = vec3_add_scaled(m.end, h * gauss_weight[j], omega[j]);
         m.phi[j] = phi;
         for (int l = 0; l < G; l++) {
-            m.phi[j] = plus(m.phi[j], h * gauss_inner[j][l], omega[l]);
+            m.phi[j] = vec3_add_scaled(m.phi[j], h * gauss_inner[j][l], omega[l]);
         }
     }
     if (e->followers) {
@@ -47,7 +42,7 @@ static panel_motion move_panel(const equilibrium *e, int k, double h, vec3 phi, 
             m.dN[j] = beyond;
             for (int l = 0; l < G; l++) {
                 const vec3 F = follower_force(e, G * k + l, m.phi[l]);
-                m.dN[j] = plus(m.dN[j], -h * gauss_outer[j][l], F);
+                m.dN[j] = vec3_add_scaled(m.dN[j], -h * gauss_outer[j][l], F);
             }
         }
     }
@@ -88,7 +83,7 @@ static void back_panel(equilibrium *e, int k, const vec3 *rv, const vec3 *rw, ve
         const vec3 force = mat3_tmul_vec(t->B, vec3_sub(still.dN[i], rv[i]));
         rhs[i] = vec3_scale(-h * gauss_weight[i], vec3_sub(vec3_add(rw[i], force), *c));
         for (int j = 0; j < G; j++) {
-            rhs[i] = plus(rhs[i], -h * h * gauss_weight[j] * gauss_inner[j][i], row[j]);
+            rhs[i] = vec3_add_scaled(rhs[i], -h * h * gauss_weight[j] * gauss_inner[j][i], row[j]);
         }
     }
     double b[UNKNOWNS];
@@ -102,12 +97,13 @@ static void back_panel(equilibrium *e, int k, const vec3 *rv, const vec3 *rw, ve
     *c = vec3_add(*c, mat3_mul_vec(e->panel[k].S, moved.end));
     for (int j = 0; j < G; j++) {
         const vec3 r = turning_row(e, G * k + j, moved.phi[j], omega[j], moved.dN[j], rv[j]);
-        *c = plus(*c, -h * gauss_weight[j], r);
+        *c = vec3_add_scaled(*c, -h * gauss_weight[j], r);
     }
     if (e->followers) {
         *cN = vec3_add(*cN, mat3_mul_vec(e->panel[k].SN, moved.end));
         for (int j = 0; j < G; j++) {
-            *cN = plus(*cN, -h * gauss_weight[j], follower_force(e, G * k + j, moved.phi[j]));
+            *cN = vec3_add_scaled(*cN, -h * gauss_weight[j],
+                                  follower_force(e, G * k + j, moved.phi[j]));
         }
     }
 }

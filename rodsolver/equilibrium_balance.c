@@ -8,21 +8,6 @@
 
 // --- poses and wrenches
 
-static vec3 linear(const vec6 *x)
-{
-    return (vec3){{x->a[0], x->a[1], x->a[2]}};
-}
-
-static vec3 angular(const vec6 *x)
-{
-    return (vec3){{x->a[3], x->a[4], x->a[5]}};
-}
-
-static vec3 plus(vec3 a, double c, vec3 b)
-{
-    return (vec3){{a.a[0] + c * b.a[0], a.a[1] + c * b.a[1], a.a[2] + c * b.a[2]}};
-}
-
 void balance_poses(equilibrium *e)
 {
     const plan *p = e->plan;
@@ -35,14 +20,14 @@ void balance_poses(equilibrium *e)
         vec3 w[GAUSS_STATIONS];
         mat3 R[GAUSS_STATIONS];
         for (int i = 0; i < GAUSS_STATIONS; i++) {
-            w[i] = angular(&xi[i]);
+            w[i] = vec6_angular(xi[i]);
         }
         collocate_rotation(h, e->node_R[k], w, R, &e->node_R[k + 1]);
         vec3 end = e->node_p[k];
         for (int i = 0; i < GAUSS_STATIONS; i++) {
             state[i].R = R[i];
-            state[i].slope = mat3_mul_vec(R[i], linear(&xi[i]));
-            end = plus(end, h * gauss_weight[i], state[i].slope);
+            state[i].slope = mat3_mul_vec(R[i], vec6_linear(xi[i]));
+            end = vec3_add_scaled(end, h * gauss_weight[i], state[i].slope);
         }
         e->node_p[k + 1] = end;
     }
@@ -74,7 +59,7 @@ static void panel_wrenches(const equilibrium *e, int k, const load_sum *line, ve
     for (int i = 0; i < GAUSS_STATIONS; i++) {
         state[i].N = *N;
         for (int j = 0; e->lines && j < GAUSS_STATIONS; j++) {
-            state[i].N = plus(state[i].N, h * gauss_outer[i][j], force[j]);
+            state[i].N = vec3_add_scaled(state[i].N, h * gauss_outer[i][j], force[j]);
         }
     }
     for (int i = 0; i < GAUSS_STATIONS; i++) {
@@ -83,12 +68,12 @@ static void panel_wrenches(const equilibrium *e, int k, const load_sum *line, ve
     for (int i = 0; i < GAUSS_STATIONS; i++) {
         state[i].M = *M;
         for (int j = 0; j < GAUSS_STATIONS; j++) {
-            state[i].M = plus(state[i].M, h * gauss_outer[i][j], moment[j]);
+            state[i].M = vec3_add_scaled(state[i].M, h * gauss_outer[i][j], moment[j]);
         }
     }
     for (int j = 0; j < GAUSS_STATIONS; j++) {
-        *N = plus(*N, h * gauss_weight[j], force[j]);
-        *M = plus(*M, h * gauss_weight[j], moment[j]);
+        *N = vec3_add_scaled(*N, h * gauss_weight[j], force[j]);
+        *M = vec3_add_scaled(*M, h * gauss_weight[j], moment[j]);
     }
 }
 
@@ -289,8 +274,8 @@ bool balance_stations(equilibrium *e, bool tangents)
         if (!station_force(e, i, &force, tangents ? &b : NULL)) {
             return false;
         }
-        s->rv = vec3_sub(mat3_mul_vec(s->R, linear(&force)), s->N);
-        s->rw = vec3_sub(mat3_mul_vec(s->R, angular(&force)), s->M);
+        s->rv = vec3_sub(mat3_mul_vec(s->R, vec6_linear(force)), s->N);
+        s->rw = vec3_sub(mat3_mul_vec(s->R, vec6_angular(force)), s->M);
         if (tangents) {
             station_tangent *t = &e->tangent[i];
             mat3 E;

@@ -23,11 +23,6 @@ static void pair_integrals(double t, double *c)
     }
 }
 
-static vec3 plus(vec3 a, double c, vec3 b)
-{
-    return (vec3){{a.a[0] + c * b.a[0], a.a[1] + c * b.a[1], a.a[2] + c * b.a[2]}};
-}
-
 // how the stations' p' change: phi x p' + nu
 static void slope_changes(const equilibrium *e, int k, vec3 change[GAUSS_STATIONS])
 {
@@ -36,7 +31,7 @@ static void slope_changes(const equilibrium *e, int k, vec3 change[GAUSS_STATION
     for (int j = 0; j < GAUSS_STATIONS; j++) {
         vec3 phi = e->phi[k];
         for (int l = 0; l < GAUSS_STATIONS; l++) {
-            phi = plus(phi, h * gauss_inner[j][l], e->omega[first + l]);
+            phi = vec3_add_scaled(phi, h * gauss_inner[j][l], e->omega[first + l]);
         }
         change[j] = vec3_add(vec3_cross(phi, e->state[first + j].slope), e->nu[first + j]);
     }
@@ -76,7 +71,7 @@ static vec6 twist_at(const equilibrium *e, const place *at)
     for (int k = 0; k < 2 * at->pair; k++) {
         slope_changes(e, k, change);
         for (int j = 0; j < GAUSS_STATIONS; j++) {
-            moved = plus(moved, panel_length(e->plan, k) * gauss_weight[j], change[j]);
+            moved = vec3_add_scaled(moved, panel_length(e->plan, k) * gauss_weight[j], change[j]);
         }
     }
     const double h = panel_length(e->plan, 2 * at->pair);
@@ -86,8 +81,8 @@ static vec6 twist_at(const equilibrium *e, const place *at)
     slope_changes(e, 2 * at->pair, change);
     slope_changes(e, 2 * at->pair + 1, change + GAUSS_STATIONS);
     for (int j = 0; j < PAIR_STATIONS; j++) {
-        moved = plus(moved, h * c[j], change[j]);
-        turned = plus(turned, h * c[j], e->omega[PAIR_STATIONS * at->pair + j]);
+        moved = vec3_add_scaled(moved, h * c[j], change[j]);
+        turned = vec3_add_scaled(turned, h * c[j], e->omega[PAIR_STATIONS * at->pair + j]);
     }
     const vec3 v = mat3_tmul_vec(at->R, moved), w = mat3_tmul_vec(at->R, turned);
     return mat6_mul_vec(at->to_gc, (vec6){{v.a[0], v.a[1], v.a[2], w.a[0], w.a[1], w.a[2]}});

@@ -22,8 +22,8 @@ static double elastic_misfits(equilibrium *e, const vec6 *x)
     for (int i = 0; i < p->nstation; i++) {
         const vec6 f = mat6_mul_vec(p->K[i], x[i]);
         const mat3 *R = &e->state[i].R;
-        e->rv[i] = mat3_mul_vec(*R, (vec3){{f.a[0], f.a[1], f.a[2]}});
-        e->rw[i] = mat3_mul_vec(*R, (vec3){{f.a[3], f.a[4], f.a[5]}});
+        e->rv[i] = mat3_mul_vec(*R, vec6_linear(f));
+        e->rw[i] = mat3_mul_vec(*R, vec6_angular(f));
         sum += gauss_weight[i % GAUSS_STATIONS] * panel_length(p, i / GAUSS_STATIONS) *
                vec6_dot(x[i], f);
     }

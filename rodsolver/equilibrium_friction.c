@@ -41,11 +41,6 @@ static pair_matrix pair_slopes(void)
     return D;
 }
 
-static vec3 angular(const vec6 *x)
-{
-    return (vec3){{x->a[3], x->a[4], x->a[5]}};
-}
-
 // how a tendon's path turns in space at the stations of a pair, and how its tangent moves when the
 // strains change
 typedef struct path_turn_rate {
@@ -92,12 +87,12 @@ static path_turn_rate turn_rate(const equilibrium *e, const plan_tendon *tendon,
         }
     }
     for (int i = 0; i < PAIR_STATIONS; i++) {
-        const vec3 w = angular(&e->xi[first + i]);
+        const vec3 w = vec6_angular(e->xi[first + i]);
         out.turn[i] = vec3_add(vec3_cross(w, t[i]), slope_at(D, i, h, t));
         out.rate[i] = vec3_norm(out.turn[i]);
         // where the path does not turn at all its rate has no derivative: none is taken
         if (step && out.rate[i] > 0) {
-            const vec3 dw = angular(&step[first + i]);
+            const vec3 dw = vec6_angular(step[first + i]);
             vec3 change = vec3_add(vec3_cross(dw, t[i]), vec3_cross(w, dt[i]));
             change = vec3_add(change, slope_at(D, i, h, dt));
             out.change[i] = vec3_dot(out.turn[i], change) / out.rate[i];
@@ -205,8 +200,8 @@ static void add_tension_change(equilibrium *e, int tendon, int station, double c
     const vec6 f = vec6_scale(change, balance_tendon(e, tendon, station));
     const mat3 *R = &e->state[station].R;
     vec3 *rv = &e->rv[station], *rw = &e->rw[station];
-    *rv = vec3_add(*rv, mat3_mul_vec(*R, (vec3){{f.a[0], f.a[1], f.a[2]}}));
-    *rw = vec3_add(*rw, mat3_mul_vec(*R, (vec3){{f.a[3], f.a[4], f.a[5]}}));
+    *rv = vec3_add(*rv, mat3_mul_vec(*R, vec6_linear(f)));
+    *rw = vec3_add(*rw, mat3_mul_vec(*R, vec6_angular(f)));
 }
 
 void friction_misfits(equilibrium *e, const vec6 *step, double *change)

@@ -35,8 +35,8 @@ void pull_misfit(equilibrium *e, int tendon, double c)
     for (int i = 0; i < e->plan->tendon[tendon].nstation; i++) {
         const vec6 f = vec6_scale(c * decay_at(e, tendon, i), balance_tendon(e, tendon, i));
         const mat3 *R = &e->state[i].R;
-        e->rv[i] = vec3_add(e->rv[i], mat3_mul_vec(*R, (vec3){{f.a[0], f.a[1], f.a[2]}}));
-        e->rw[i] = vec3_add(e->rw[i], mat3_mul_vec(*R, (vec3){{f.a[3], f.a[4], f.a[5]}}));
+        e->rv[i] = vec3_add(e->rv[i], mat3_mul_vec(*R, vec6_linear(f)));
+        e->rw[i] = vec3_add(e->rw[i], mat3_mul_vec(*R, vec6_angular(f)));
     }
 }
 

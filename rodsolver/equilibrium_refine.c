@@ -135,13 +135,13 @@ static panels measure_panels(const equilibrium *e, const plan *coarse)
     return out;
 }
 
-static double estimate(const equilibrium *e, vec3 coarse, const plan *coarse_plan, vec3 fine)
+static double estimate(const equilibrium *e, const panels *of, vec3 coarse, const plan *coarse_plan,
+                       vec3 fine)
 {
     const double apart = vec3_norm(vec3_sub(fine, coarse)) / e->rod->length;
     const double nfine = e->plan->npair, ratio = fmin(nfine / coarse_plan->npair, most_ratio);
-    const panels of = measure_panels(e, coarse_plan);
-    const double longest = of.longest;
-    if (of.shared > unseen * longest) {
+    const double longest = of->longest;
+    if (of->shared > unseen * longest) {
         return HUGE_VAL;
     }
     int order = apart < near && longest < short_panel ? ORDER : DOUBTED_ORDER;
@@ -178,6 +178,8 @@ static double compare_coarser(equilibrium *e, const plan *coarse)
 {
     const plan *fine = e->plan;
     const vec3 tip = refine_tip(e);
+    const panels of =
+        measure_panels(e, coarse); // before the coarse plan's wrenches take their place
     double moved;
     memcpy(e->old, e->xi, (size_t)fine->nstation * sizeof *e->xi);
     memcpy(e->tension_old, e->tension, (size_t)e->rod->ntendon * sizeof *e->tension);
@@ -191,7 +193,7 @@ static double compare_coarser(equilibrium *e, const plan *coarse)
     equilibrium_use_plan(e, fine);
     e->negative = negative;
     e->determinant = determinant;
-    return found ? estimate(e, other, coarse, tip) : HUGE_VAL;
+    return found ? estimate(e, &of, other, coarse, tip) : HUGE_VAL;
 }
 
 static const plan *coarser_plan(const equilibrium *e)
@@ -222,7 +224,8 @@ static int refine(equilibrium *e, double *error)
             return ROUGH_FAILED;
         }
         const vec3 fine = refine_tip(e);
-        *error = estimate(e, coarse, &r->plans[level], fine);
+        const panels of = measure_panels(e, &r->plans[level]);
+        *error = estimate(e, &of, coarse, &r->plans[level], fine);
         if (*error <= r->options.tolerance) {
             return REFINED;
         }
