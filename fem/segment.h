@@ -8,9 +8,7 @@
 #include "base/material.h"
 #include "base/mesh.h"
 #include "base/status.h"
-
-typedef enum segment_base { BASE_CLAMPED, BASE_FREE_TO_CONTRACT } segment_base;
-typedef enum segment_tip { TIP_RIGID, TIP_E_PROPORTIONAL, TIP_UNIFORM } segment_tip;
+#include "fem/load.h"
 
 typedef struct segment_load {
     mark at;
