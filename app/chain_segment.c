@@ -44,25 +44,38 @@ done:
     return st;
 }
 
-// the plane mesh and its extrusion, with what the case leaves open chosen by the section's size
-static status make_meshes(const case_data *c, run_result *out, int *nlevel, double **level)
+typedef struct source_data {
+    const case_data *c;
+} source_data;
+
+static status source_plane(void *self, const segment_mesh *ask, mesh *out)
+{
+    const case_data *c = ((const source_data *)self)->c;
+    return chain_plane_mesh(c, c->file.fem.section_at, ask->order, ask->size, out);
+}
+
+static status extrude(const segment_case *sc, const segment_result *r, run_result *out)
 {
     status st = OK;
-    const section_case *section = &c->file.section;
-    double reach = 0;
-    TRY(case_place(c, section_reach_at(section, c->file.fem.section_at, &reach), section->at));
-    const segment_case sc = segment_choose(&c->file.fem, reach);
-    TRY(chain_plane_mesh(c, sc.section_at, sc.order, sc.size, &out->segment_plane));
-    TRY(segment_check_size(&sc, out->segment_plane.nnode));
     const extrude_options options = {
-        .length = sc.length,
-        .layers = sc.layers,
-        .grading = sc.grading,
-    };
-    TRY(mesh_extrude(&out->segment_plane, &options, &out->segment_mesh, level));
-    *nlevel = sc.layers * sc.order + 1;
+        .length = sc->length, .layers = sc->layers, .grading = sc->grading};
+    TRY(mesh_copy(&r->plane, &out->segment_plane));
+    TRY(mesh_extrude(&out->segment_plane, &options, &out->segment_mesh, NULL));
 
 done:
+    return st;
+}
+
+// the load points need a plane mesh before the segment is solved
+static status load_points(const case_data *c, const segment_case *sc, double (*point)[2])
+{
+    status st = OK;
+    mesh plane = {0};
+    TRY(chain_plane_mesh(c, sc->section_at, sc->order, sc->size, &plane));
+    TRY(resolve_points(c, &plane, point));
+
+done:
+    mesh_free(&plane);
     return st;
 }
 
@@ -70,24 +83,17 @@ status chain_segment(const case_data *c, bool displacements, run_result *out)
 {
     status st = OK;
     const segment_case *sc = &c->file.fem;
-    double *level = NULL;
     double(*point)[2] = NULL;
-    int nlevel = 0;
-    TRY(make_meshes(c, out, &nlevel, &level));
+    source_data self = {c};
+    segment_source source = {.self = &self, .plane = source_plane, .materials = c->materials};
+    st = section_reach_at(&c->file.section, sc->section_at, &source.radius);
+    TRY(case_place(c, st, c->file.section.at));
     TRY(TAKE(point, (size_t)sc->loads.count));
-    TRY(resolve_points(c, &out->segment_plane, point));
-    const segment_model model = {
-        .plane = &out->segment_plane,
-        .solid = &out->segment_mesh,
-        .nlevel = nlevel,
-        .level = level,
-        .materials = c->materials,
-        .base = sc->base,
-        .tip = sc->tip,
-    };
-    st = segment_solve(&model, sc->loads.count, sc->loads.items, (const double(*)[2])point,
-                       displacements, &out->segment);
+    const segment_case chosen = segment_choose(sc, source.radius);
+    TRY(load_points(c, &chosen, point));
+    st = segment_solve(sc, &source, (const double(*)[2])point, displacements, &out->segment);
     TRY(case_place(c, st, sc->at));
+    TRY(extrude(&chosen, &out->segment, out));
     out->has_segment = true;
     out->segment_length = sc->length;
     out->segment_section_at = sc->section_at;
@@ -96,6 +102,5 @@ status chain_segment(const case_data *c, bool displacements, run_result *out)
 
 done:
     free(point);
-    free(level);
     return st;
 }

@@ -16,8 +16,13 @@ void segment_result_free(segment_result *r)
 {
     for (int i = 0; r->load && i < r->nload; i++) {
         free(r->load[i].displacement);
+        free(r->load[i].stress);
+        free(r->load[i].slice);
     }
     free(r->load);
+    mesh_free(&r->plane);
+    mesh_free(&r->solid);
+    free(r->level);
     *r = (segment_result){0};
 }
 
@@ -38,16 +43,6 @@ static status open_door(const petsc_door **out)
 
 done:
     return st;
-}
-
-static status check_model(const segment_model *model)
-{
-    const mesh *plane = model->plane, *solid = model->solid;
-    if (solid->nnode != plane->nnode * model->nlevel || solid->order != plane->order) {
-        return status_fail(ERR_BUG, "segment: %d solid nodes are not %d plane nodes on %d levels",
-                           solid->nnode, plane->nnode, model->nlevel);
-    }
-    return OK;
 }
 
 // --- one load from the unit solutions
@@ -212,7 +207,7 @@ done:
 
 // one order lower: what changes is taken for the error, 1 (nothing known) where there is none.
 // docs/theory.md (5.9)
-static status estimate_error(const petsc_door *door, const column *c, const segment_model *model,
+static status estimate_error(const petsc_door *door, const column *c, const segment_case *sc,
                              segment_result *r)
 {
     status st = OK;
@@ -224,7 +219,7 @@ static status estimate_error(const petsc_door *door, const column *c, const segm
     r->relative_error = r->middle.relative_error = 1;
     TRY(lower_column(c, &plane, &lower));
     if (lower.nlevel > 0) {
-        TRY(segment_run_make(door, &lower, model->base, model->tip, &run));
+        TRY(segment_run_make(door, &lower, sc->base, sc->tip, &run));
         r->relative_error = mat6_relative_error(segment_run_compliance(&run), r->tip_compliance);
         TRY(section_law_at(&lower, &run, middle_height(&lower), &law));
         r->middle.relative_error = mat6_relative_error(law.K, r->middle.K);
@@ -237,45 +232,89 @@ done:
     return st;
 }
 
-status segment_solve(const segment_model *model, int nload, const segment_load *loads,
-                     const double (*point)[2], int keep_displacements, segment_result *out)
+// z of the levels: layers grow geometrically from both ends
+static void fill_levels(const segment_case *c, double *level)
+{
+    double node[ELEMENT_MAX_ORDER + 1], total = 0;
+    const int most = (c->layers - 1) / 2;
+    gauss_lobatto_nodes(c->order + 1, node);
+    for (int pass = 0; pass < 2; pass++) {
+        double z = 0;
+        for (int i = 0; i < c->layers; i++) {
+            const int step = i < c->layers - 1 - i ? i : c->layers - 1 - i;
+            const double h = most ? pow(c->grading, (double)step / most) : 1;
+            for (int k = 0; pass && k <= c->order; k++) {
+                level[i * c->order + k] = (z + h * (node[k] + 1) / 2) * c->length / total;
+            }
+            z += h;
+        }
+        total = z;
+    }
+}
+
+static status make_meshes(const segment_case *c, const segment_source *source, segment_result *r)
+{
+    status st = OK;
+    const segment_mesh ask = {.order = c->order, .size = c->size};
+    TRY(source->plane(source->self, &ask, &r->plane));
+    TRY(segment_check_size(c, r->plane.nnode));
+    r->nlevel = c->layers * c->order + 1;
+    TRY(TAKE(r->level, (size_t)r->nlevel));
+    fill_levels(c, r->level);
+
+done:
+    return st;
+}
+
+static status solve_column(const petsc_door *door, const segment_case *c, const column *col,
+                           const load_list *list, segment_result *r)
+{
+    status st = OK;
+    segment_run run = {0};
+    middle mid = {0};
+    TRY(segment_run_make(door, col, c->base, c->tip, &run));
+    TRY(middle_make(col, &run, &mid));
+    r->dofs = run.dofs;
+    memcpy(r->stiffness_centre, mid.stiffness_centre, sizeof r->stiffness_centre);
+    r->tip_compliance = segment_run_compliance(&run);
+    TRY(tip_centre(r->tip_compliance, r->tip_centre));
+    r->residual = run.residual;
+    r->assemble_seconds = run.assemble_seconds;
+    r->factor_seconds = run.factor_seconds;
+    r->solve_seconds = run.solve_seconds;
+    TRY(section_law_at(col, &run, middle_height(col), &r->middle));
+    TRY(solve_loads(&run, &mid, col->radius, list, r));
+    TRY(estimate_error(door, col, c, r));
+
+done:
+    segment_run_free(&run);
+    return st;
+}
+
+status segment_solve(const segment_case *given, const segment_source *source,
+                     const double (*point)[2], int keep_fields, segment_result *out)
 {
     status st = OK;
     const petsc_door *door = NULL;
-    column c = {0};
-    segment_run run = {0};
-    middle mid = {0};
+    column col = {0};
     segment_result r = {0};
-    const load_list list = {.count = nload,
-                            .items = loads,
+    const segment_case c = segment_choose(given, source->radius);
+    const load_list list = {.count = c.loads.count,
+                            .items = c.loads.items,
                             .point = point,
-                            .keep = keep_displacements,
-                            .tip = model->tip};
+                            .keep = keep_fields,
+                            .tip = c.tip};
 
-    TRY(check_model(model));
-    TRY(column_make(model->plane, model->materials, model->plane->order, model->nlevel,
-                    model->level, &c));
+    TRY(make_meshes(&c, source, &r));
+    TRY(column_make(&r.plane, source->materials, c.order, r.nlevel, r.level, &col));
     TRY(open_door(&door));
-    TRY(segment_run_make(door, &c, model->base, model->tip, &run));
-    TRY(middle_make(&c, &run, &mid));
-    r.dofs = run.dofs;
-    memcpy(r.stiffness_centre, mid.stiffness_centre, sizeof r.stiffness_centre);
-    r.tip_compliance = segment_run_compliance(&run);
-    TRY(tip_centre(r.tip_compliance, r.tip_centre));
-    r.residual = run.residual;
-    r.assemble_seconds = run.assemble_seconds;
-    r.factor_seconds = run.factor_seconds;
-    r.solve_seconds = run.solve_seconds;
-    TRY(section_law_at(&c, &run, middle_height(&c), &r.middle));
-    TRY(solve_loads(&run, &mid, c.radius, &list, &r));
-    TRY(estimate_error(door, &c, model, &r));
+    TRY(solve_column(door, &c, &col, &list, &r));
     *out = r;
     r = (segment_result){0};
 
 done:
     segment_result_free(&r);
-    segment_run_free(&run);
-    column_free(&c);
+    column_free(&col);
     return st;
 }
 

@@ -8,7 +8,18 @@
 #include "base/material.h"
 #include "base/mesh.h"
 #include "base/status.h"
+#include "fem/body.h"
 #include "fem/load.h"
+#include "fem/way.h"
+
+// A pressure, a traction or a force per volume that one load may bring along with its tip wrench.
+typedef struct segment_pressure {
+    mark at;
+    int face;           // FACE_..., of key `face`
+    double range[2];    // arclengths between which it acts, on walls [m]
+    double pressure;    // against the face [Pa]
+    double traction[3]; // [Pa]
+} segment_pressure;
 
 typedef struct segment_load {
     mark at;
@@ -18,18 +29,51 @@ typedef struct segment_load {
     key_rows point;   // at_mm: [x, y] in one row; not given: geometric centre
     int at_kind; // at: 0 geometric_centre, 1 stiffness_centre (of the section analysis); -1 not
                  // given: 0
+    key_list pressures;     // of segment_pressure
+    double body_force[3];   // [N/m^3]
+    double acceleration[3]; // gravity and the like; needs the materials' densities [m/s^2]
+    key_rows tip_motion; // [1][6] translation of the tip at its geometric centre and rotation that
+                         // the load imposes instead of a wrench [m, rad]; a NaN leaves it free
+    bool holds_move;     // the motions of the case's `holds`
 } segment_load;
+
+// Springs and held faces of the case.
+typedef struct segment_spring {
+    mark at;
+    int face;
+    double range[2];
+    double stiffness[3]; // normal, tangential [N/m^3]
+} segment_spring;
+
+typedef struct segment_hold {
+    mark at;
+    int face;
+    double range[2];
+    int directions;   // bits x y z
+    double motion[3]; // [m]
+} segment_hold;
+
+typedef enum segment_course { COURSE_ALONG, COURSE_PRISM } segment_course;
 
 typedef struct segment_case {
     mark at;
     double length;     // [m]
     int base, tip;     // segment_base, segment_tip
-    int order;         // of the 3D elements, 1..4
+    int order;         // of the 3D elements, 1..4; 0: chosen
     int layers;        // along z; 0: chosen
     double grading;    // middle layer over end layer; 0: chosen
     double size;       // in-plane edge length [m]; 0: chosen
-    double section_at; // arclength of the section that is extruded [m]
-    key_list loads;    // of segment_load
+    double section_at; // arclength of the rod's section at the base [m]
+    int course;        // segment_course: follows the section along the rod, or keeps it
+    int way;           // segment_way
+    double tolerance;  // of the tip compliance and the middle's law, relative; 0: the mesh as it is
+    int mixed;         // -1: chosen by Poisson's ratio; 0, 1
+    double tip_spring[6]; // between tip and ground at its geometric centre: along x y z, about x y
+                          // z [N/m, N m/rad]
+    key_list loads;       // of segment_load
+    key_list springs;     // of segment_spring
+    key_list holds;       // of segment_hold
+    bool stress;          // stresses into the result
 } segment_case;
 
 extern const key_table segment_keys; // `fem`
@@ -41,27 +85,54 @@ status segment_case_check(const segment_case *c, mark *where);
 
 // The case with every 0 of order, layers, grading and size filled in for a section that a circle of
 // `radius` about the origin holds [m]: cubic elements, layers fine at both ends and long in the
-// middle. Call before meshing.
+// middle.
 segment_case segment_choose(const segment_case *c, double radius);
 
 // ERR_RESOURCE where a plane mesh of nplane nodes gives more unknowns than one process can number
-// and hold; the case is as segment_choose left it. Call before extruding.
+// and hold; the case is as segment_choose left it.
 status segment_check_size(const segment_case *c, int nplane);
 
 // The rank under mpirun, 0 without it, from the environment alone: MPI is not started. Only rank 0
 // should print or save.
 int segment_rank(void);
 
-// What the mesh side hands over: an extruded mesh and its plane mesh (base/mesh.h; node = plane
-// node + nplane * level).
-typedef struct segment_model {
-    const mesh *plane;
-    const mesh *solid;
-    int nlevel;
-    const double *level; // [nlevel] z [m]
+// A mesh of the section to ask for: what a rung of the ladder towards a tolerance changes.
+typedef struct segment_mesh {
+    int order;       // of the plane elements
+    double size;     // edge length [m]; 0: chosen from the outlines
+    int edge_layers; // of elements that shrink towards free edges and interfaces, where the clamp's
+                     // singular line is
+    double edge_first; // the last of them over the section's radius
+} segment_mesh;
+
+// What the caller provides: meshes of the section and the body that stands on one.
+typedef struct segment_source {
+    void *self;
+    double radius; // of the section at the base about its origin [m]
+    // The plane mesh of the section at the base; the caller of it frees it.
+    status (*plane)(void *self, const segment_mesh *ask, mesh *out);
+    // Fills shape, turn_rate and matter of a body on such a mesh; what it points to lives until
+    // `release` with the same spec. NULL: a prism.
+    status (*course)(void *self, const mesh *plane, body_spec *spec);
+    void (*release)(void *self, body_spec *spec);
     const material *materials;
-    int base, tip;
-} segment_model;
+    int nmaterial;
+    double nu;          // the largest Poisson's ratio of what it is made of
+    int sections_along; // changes of course: layers are no longer than 1 / this of the length; 0:
+                        // none
+    bool fixed_layers;  // a stack: layers are the slices'
+    int nlayer;
+    const double *layer;                             // [nlayer + 1]
+    void (*progress)(void *self, const char *words); // may be NULL
+} segment_source;
+
+typedef struct segment_slice {
+    double s;       // [m]
+    vec6 motion;    // E-weighted, about the section's origin, in the base's axes
+    vec6 resultant; // of the stresses; what the load puts on it is `load`
+    vec6 load;
+    vec6 strain; // generalized (v, w) of the fitted motions along the body, in the section's axes
+} segment_slice;
 
 typedef struct segment_load_result {
     const char *name;
@@ -73,42 +144,61 @@ typedef struct segment_load_result {
     double tip_rotation[3];     // E-weighted least squares over the tip [rad]
     double mid_curvature[2];    // (kappa_x, kappa_y) over the middle of the segment [1/m]
     double strain_energy;       // [J]
-    double *displacement;       // [solid nnode][3], owned by the result; NULL unless asked for
+    double shortening_error, tip_displacement_error, tip_rotation_error, mid_curvature_error,
+        strain_energy_error; // estimates, in the quantity's own unit
+    int nslice;
+    segment_slice *slice; // [nslice] from base to tip; owned by the result
+    double balance;       // largest miss of the resultants, moments over the radius, relative to
+                          // the load's largest
+    double *displacement; // [solid nnode][3], owned by the result; NULL unless asked for
+    double *stress;       // [solid nnode][6] xx yy zz yz xz xy in the section's axes [Pa], of the
+                          // best points, each material by itself at interfaces (the mean of
+                          // its elements at a node); NULL unless asked for
 } segment_load_result;
 
 typedef struct segment_result {
+    int way;         // segment_way that was taken
+    const char *why; // in words: what the cost model said
     int dofs;
+    int rungs; // meshes that were solved
+    bool met;  // the tolerance
+    segment_mesh mesh_used;
+    int order, layers;
     beam_law middle; // of this segment's own middle, ends' layers and all: inverse of the energy
-                     // per length for six unit wrenches, docs/theory.md (5.5). relative_error: of
-                     // the mesh, the difference from a run one order lower
+                     // per length for six unit wrenches, docs/theory.md (5.5)
     double stiffness_centre[2]; // the load position at which the mid-segment curvature vanishes [m]
-    double tip_centre[2];       // the load position at which the tip's rotation vanishes: the ends'
-                                // layers move it [m]
+    double stiffness_centre_error;
+    double tip_centre[2]; // the load position at which the tip's rotation vanishes: the ends'
+                          // layers move it [m]
     mat6 tip_compliance; // E-weighted tip motion for six unit tip wrenches at the geometric centre,
                          // C
+    double end_length[6]; // of both ends together: a segment that much shorter (positive) and
+                          // without end layers has C; per strain x y z (n) and x y z (m) [m]
     int nload;
     segment_load_result *load;
-    double relative_error; // estimate of max |C - C_exact|_ij / sqrt(C_ii C_jj): the difference
-                           // from a run one order lower, so it assumes that the error halves per
-                           // order; 1 (nothing known) for order 1
+    double relative_error; // estimate of max |C - C_exact|_ij / sqrt(C_ii C_jj)
     double residual;       // largest |f - K u| / (|K| |u| + |f|) of the linear solves
-    double assemble_seconds, factor_seconds,
-        solve_seconds; // wall time, without the run for relative_error
+    int iterations;
+    double assemble_seconds, factor_seconds, solve_seconds; // CPU time, all rungs
+    // where fields were asked for: the body's mesh and which levels this rank has
+    mesh plane, solid;
+    double *level;
+    int nlevel;
 } segment_result;
 
-// All loads (and six unit wrenches) from one factorization. The caller has resolved where each load
-// acts: `point` [nload][2]. Opens the PETSc door; under mpirun every rank calls it and every rank
-// gets the result.
+// All loads (and six unit wrenches) from one factorization per rung. The caller has resolved where
+// each load acts: `point` [nload][2]. Under mpirun every rank calls it and every rank gets the
+// result.
 //
 // Rigid tip and E_proportional: any wrench. Uniform: a force at the area's centroid; point (0, 0)
 // stands for "not given", any other place or a moment is ERR_INPUT. There the six unit wrenches,
 // and so middle, centres and tip_compliance, are those of the E_proportional tip, since a uniform
 // traction has no moment.
-status segment_solve(const segment_model *model, int nload, const segment_load *loads,
-                     const double (*point)[2], int keep_displacements, segment_result *out);
+status segment_solve(const segment_case *c, const segment_source *source, const double (*point)[2],
+                     int keep_fields, segment_result *out);
 void segment_result_free(segment_result *r);
 
 // The law of the section by 3D FEM, from the middle of a column of its own with these plane
 // elements, clamped, capped and 32 radii long: a short segment has no middle free of its ends.
-// relative_error counts the mesh's order and what the ends still do. Opens the PETSc door.
+// relative_error counts the mesh's order and what the ends still do.
 status segment_section_law(const mesh *plane, const material *materials, beam_law *out);

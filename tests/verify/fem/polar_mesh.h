@@ -35,16 +35,18 @@ static inline polar_segment fig4_segment(void)
                            .length = 20e-3};
 }
 
+// a plane mesh, the levels on it, and what the segment is asked for
 typedef struct column_model {
-    mesh plane, solid;
+    mesh plane;
     double *level;
-    segment_model model;
+    int nlevel;
+    segment_case c;
+    segment_source source;
 } column_model;
 
 static inline void column_model_free(column_model *m)
 {
     mesh_free(&m->plane);
-    mesh_free(&m->solid);
     free(m->level);
     *m = (column_model){0};
 }
@@ -113,35 +115,57 @@ done:
     return st;
 }
 
-// the solid's connectivity is that of base/mesh.h; the solver needs its nodes' count and order only
+// the same mesh at the orders that the segment asks for
+static inline status model_plane(void *self, const segment_mesh *ask, mesh *out)
+{
+    const column_model *m = self;
+    return ask->order == m->plane.order ? mesh_copy(&m->plane, out)
+                                        : mesh_of_order(&m->plane, ask->order, out);
+}
+
+// m must stay where it is: the source points into it
 static inline status extrude_plainly(int layers, double grading, double length, column_model *m)
 {
     status st = OK;
-    const int p = m->plane.order, nlevel = layers * p + 1, none = 0;
-    const shape hex = SHAPE_HEX;
-    TRY(TAKE(m->level, (size_t)nlevel));
+    const int p = m->plane.order;
+    m->nlevel = layers * p + 1;
+    TRY(TAKE(m->level, (size_t)m->nlevel));
     graded_levels(layers, p, grading, length, m->level);
-    TRY(mesh_make(p, m->plane.nnode * nlevel, 1, &hex, &none, &m->solid));
-    m->model.plane = &m->plane;
-    m->model.solid = &m->solid;
-    m->model.nlevel = nlevel;
-    m->model.level = m->level;
+    m->c = segment_case_default();
+    m->c.length = length;
+    m->c.order = p;
+    m->c.layers = layers;
+    m->c.grading = grading;
+    m->source = (segment_source){.self = m, .plane = model_plane};
+    for (int i = 0; i < m->plane.nnode; i++) {
+        m->source.radius =
+            fmax(m->source.radius, hypot(m->plane.xyz[3 * i], m->plane.xyz[3 * i + 1]));
+    }
 
 done:
     return st;
 }
 
-// m must stay where it is: the model points into it
 static inline status polar_model(const polar_segment *s, const material *materials, int base,
                                  int tip, column_model *m)
 {
     status st = OK;
     TRY(polar_mesh(s, &m->plane));
     TRY(extrude_plainly(s->layers, s->grading, s->length, m));
-    m->model.materials = materials;
-    m->model.base = base;
-    m->model.tip = tip;
+    m->source.materials = materials;
+    m->c.base = base;
+    m->c.tip = tip;
 
 done:
     return st;
+}
+
+static inline status model_solve(column_model *m, int nload, const segment_load *loads,
+                                 const double (*point)[2], int keep, segment_result *r)
+{
+    segment_load items[8];
+    segment_case c = m->c;
+    memcpy(items, loads, (size_t)nload * sizeof *items);
+    c.loads = (key_list){.count = nload, .items = items};
+    return segment_solve(&c, &m->source, point, keep, r);
 }

@@ -13,11 +13,11 @@ static polar_segment tube(void)
     return s;
 }
 
-static status solve(const column_model *m, const segment_load *load, const double *point,
+static status solve(column_model *m, const segment_load *load, const double *point,
                     segment_result *r)
 {
     const double at[1][2] = {{point[0], point[1]}};
-    return segment_solve(&m->model, 1, load, at, 0, r);
+    return model_solve(m, 1, load, at, 0, r);
 }
 
 static const double ORIGIN[2] = {0, 0};
@@ -29,7 +29,7 @@ static double off_the_twist(const column_model *m, double tau, const double *u)
 {
     const int n = m->plane.nnode;
     double worst = 0, largest = 0;
-    for (int i = 0; i < n * m->model.nlevel; i++) {
+    for (int i = 0; i < n * m->nlevel; i++) {
         const double *x = m->plane.xyz + 3 * (i % n), turn = tau * m->level[i / n];
         const double d[3] = {u[3 * i] + turn * x[1], u[3 * i + 1] - turn * x[0], u[3 * i + 2]};
         for (int k = 0; k < 3; k++) {
@@ -57,7 +57,7 @@ static void a_tube_twists_by_T_L_over_GJ(void)
         with.order = order;
         with.layers = 2;
         CHECK_OK(polar_model(&with, &rubber, BASE_FREE_TO_CONTRACT, TIP_E_PROPORTIONAL, &m));
-        CHECK_OK(segment_solve(&m.model, 1, &load, &ORIGIN, 1, &r));
+        CHECK_OK(model_solve(&m, 1, &load, &ORIGIN, 1, &r));
         if (r.load) {
             const double angle = r.load[0].tip_rotation[2];
             const double off = off_the_twist(&m, angle / s.length, r.load[0].displacement);

@@ -59,7 +59,7 @@ static void solve(int order, segment_result *r, beam_law *law)
     s.soft = 8;
     s.layers = 8;
     CHECK_OK(polar_model(&s, MATERIALS, BASE_CLAMPED, TIP_RIGID, &model));
-    CHECK_OK(segment_solve(&model.model, 0, NULL, NULL, 0, r));
+    CHECK_OK(model_solve(&model, 0, &(segment_load){0}, NULL, 0, r));
     CHECK_OK(segment_section_law(&model.plane, MATERIALS, law));
     column_model_free(&model);
 }

@@ -19,7 +19,7 @@ static void solve(double nu, int base, int tip, int layers, segment_result *r)
     column_model model = {0};
     s.layers = layers;
     CHECK_OK(polar_model(&s, m, base, tip, &model));
-    CHECK_OK(segment_solve(&model.model, 2, loads, points, 0, r));
+    CHECK_OK(model_solve(&model, 2, loads, points, 0, r));
     column_model_free(&model);
     if (!r->load) {
         exit(1);
