@@ -1,0 +1,350 @@
+// fem/unknowns.c
+#include "fem/unknowns.h"
+
+#include "base/memory.h"
+
+#include <limits.h>
+#include <math.h>
+#include <string.h>
+
+void unknowns_free(unknowns *u)
+{
+    free(u->start);
+    free(u->number);
+    free(u->held);
+    free(u->motion);
+    *u = (unknowns){0};
+}
+
+// --- who has which layers
+
+static double layer_matter(const body *b, int layer)
+{
+    double nodes = 0;
+    for (int k = 0; k < b->plane->nblock; k++) {
+        const mesh_block *block = &b->plane->block[k];
+        if (!b->spec.matter) {
+            nodes += (double)block->nelem * block->per_elem;
+        }
+        for (int e = 0; b->spec.matter && e < block->nelem; e++) {
+            nodes += body_material(b, k, e, layer) >= 0 ? block->per_elem : 0;
+        }
+    }
+    return nodes;
+}
+
+// the first layer of a rank: as much matter below it as its share of the whole, one layer for each
+// rank at least
+static int first_layer(const body *b, int rank, int size, double all)
+{
+    const int most = b->nlayer - (size - rank);
+    int layer = 0;
+    double below = 0;
+    for (; layer < most; layer++) {
+        const double here = layer_matter(b, layer);
+        if (layer >= rank && below + here / 2 >= all * rank / size) {
+            break;
+        }
+        below += here;
+    }
+    return layer;
+}
+
+level_share level_share_of(const body *b, int rank, int size)
+{
+    level_share s = {.rank = rank, .size = size};
+    const int busy = size < b->nlayer ? size : b->nlayer;
+    if (rank >= busy) {
+        s.first_layer = s.last_layer = b->nlayer;
+        s.first = s.last = b->nlevel;
+        s.from = b->nlevel - 1;
+        s.to = b->nlevel;
+        return s;
+    }
+    double all = 0;
+    for (int layer = 0; layer < b->nlayer; layer++) {
+        all += layer_matter(b, layer);
+    }
+    const bool last = rank == busy - 1;
+    s.first_layer = rank == 0 ? 0 : first_layer(b, rank, busy, all);
+    s.last_layer = last ? b->nlayer : first_layer(b, rank + 1, busy, all);
+    s.first = s.first_layer * b->order;
+    s.last = last ? b->nlevel : s.last_layer * b->order;
+    s.from = (s.first_layer > 0 ? s.first_layer - 1 : 0) * b->order;
+    s.to = s.last_layer * b->order + 1;
+    return s;
+}
+
+// --- numbering
+
+static bool is_clamped(const segment_problem *p, int level)
+{
+    return p->base == BASE_CLAMPED && level == 0;
+}
+
+static int level_blocks(const segment_problem *p, const unknowns *u, int level)
+{
+    if (is_clamped(p, level) || unknowns_follow_cap(u, level)) {
+        return 0;
+    }
+    if (!u->body->spec.matter) {
+        return u->nplane;
+    }
+    int count = 0;
+    for (int i = 0; i < u->nplane; i++) {
+        count += body_node_is_used(u->body, i, level);
+    }
+    return count;
+}
+
+static status number_levels(const segment_problem *p, unknowns *u)
+{
+    status st = OK;
+    double count = u->cap ? 2 : 0;
+    TRY(TAKE(u->start, (size_t)u->nlevel + 1));
+    for (int level = 0; level < u->nlevel; level++) {
+        const int here = level_blocks(p, u, level);
+        count += here;
+        if (3 * count > INT_MAX) { // the libraries count rows with int
+            TRY(status_fail(ERR_RESOURCE,
+                            "segment: more than %.3g unknowns are too many: take fewer "
+                            "fem.layers, a lower fem.order or a larger fem.size_mm",
+                            3 * count));
+        }
+        u->start[level + 1] = u->start[level] + here;
+    }
+    u->nblock = (int)count;
+    u->cap_block = u->cap ? u->start[u->nlevel] : -1;
+
+done:
+    return st;
+}
+
+static status number_nodes(unknowns *u)
+{
+    status st = OK;
+    const level_share *s = &u->share;
+    TRY(TAKE(u->number, (size_t)(s->to - s->from) * (size_t)u->nplane));
+    for (int level = s->from; level < s->to; level++) {
+        int next = 0;
+        for (int i = 0; i < u->nplane; i++) {
+            const bool used = body_node_is_used(u->body, i, level);
+            u->number[unknowns_index(u, i, level)] = used ? next++ : -1;
+        }
+    }
+
+done:
+    return st;
+}
+
+static void share_rows(unknowns *u)
+{
+    const level_share *s = &u->share;
+    const bool has_tip = s->last == u->nlevel && s->first < s->last;
+    u->first = s->first < s->last ? u->start[s->first] : u->nblock;
+    u->last = has_tip || s->first >= s->last ? u->nblock : u->start[s->last];
+}
+
+status unknowns_make(const segment_problem *p, level_share share, unknowns *out)
+{
+    status st = OK;
+    const body *b = p->body;
+    unknowns u = {.body = b,
+                  .share = share,
+                  .cap = p->tip == TIP_RIGID,
+                  .nplane = b->plane->nnode,
+                  .nlevel = b->nlevel,
+                  .radius = b->radius};
+
+    if (b->first > share.from || b->last < share.to) {
+        TRY(status_fail(ERR_BUG, "segment: levels %d to %d are not held", share.from, share.to));
+    }
+    TRY(number_levels(p, &u));
+    if (b->spec.matter) {
+        TRY(number_nodes(&u));
+    }
+    if (share.to == u.nlevel) {
+        body_origin(b, u.nlevel - 1, u.cap_origin);
+    }
+    share_rows(&u);
+    TRY(unknowns_hold(p, &u));
+    *out = u;
+    u = (unknowns){0};
+
+done:
+    unknowns_free(&u);
+    return st;
+}
+
+// --- which blocks are coupled
+
+// plane nodes that share an element: neighbours of node i are list[start[i]] .. list[start[i + 1] -
+// 1], i among them
+typedef struct neighbours {
+    int *start, *list;
+} neighbours;
+
+static void neighbours_free(neighbours *n)
+{
+    free(n->start);
+    free(n->list);
+    *n = (neighbours){0};
+}
+
+// elements at each plane node; number counts over the blocks
+static status elements_at_nodes(const mesh *plane, neighbours *out)
+{
+    status st = OK;
+    neighbours n = {0};
+    size_t total = 0;
+    TRY(TAKE(n.start, (size_t)plane->nnode + 2));
+    for (int b = 0; b < plane->nblock; b++) {
+        const size_t count = (size_t)plane->block[b].nelem * (size_t)plane->block[b].per_elem;
+        for (size_t i = 0; i < count; i++) {
+            n.start[plane->block[b].conn[i] + 2]++;
+        }
+        total += count;
+    }
+    for (int i = 0; i < plane->nnode; i++) {
+        n.start[i + 2] += n.start[i + 1];
+    }
+    TRY(TAKE(n.list, total));
+    for (int b = 0, number = 0; b < plane->nblock; b++) {
+        const mesh_block *k = &plane->block[b];
+        for (int e = 0; e < k->nelem; e++, number++) {
+            for (int i = 0; i < k->per_elem; i++) {
+                n.list[n.start[k->conn[(size_t)e * (size_t)k->per_elem + (size_t)i] + 1]++] =
+                    number;
+            }
+        }
+    }
+    *out = n;
+    n = (neighbours){0};
+
+done:
+    neighbours_free(&n);
+    return st;
+}
+
+static const int *element_nodes(const mesh *plane, int number, int *count)
+{
+    const int first = plane->block[0].nelem;
+    const mesh_block *k = &plane->block[number < first ? 0 : 1];
+    *count = k->per_elem;
+    return k->conn + (size_t)(number < first ? number : number - first) * (size_t)k->per_elem;
+}
+
+// after[i]: neighbours j >= i of plane node i; all[i]: all of them
+static status count_neighbours(const mesh *plane, int *after, int *all)
+{
+    status st = OK;
+    neighbours at = {0};
+    int *seen = NULL;
+    TRY(elements_at_nodes(plane, &at));
+    TRY(TAKE(seen, (size_t)plane->nnode));
+    for (int i = 0; i < plane->nnode; i++) {
+        for (int s = at.start[i]; s < at.start[i + 1]; s++) {
+            int count = 0;
+            const int *conn = element_nodes(plane, at.list[s], &count);
+            for (int a = 0; a < count; a++) {
+                if (seen[conn[a]] != i + 1) {
+                    seen[conn[a]] = i + 1;
+                    all[i]++;
+                    after[i] += conn[a] >= i;
+                }
+            }
+        }
+    }
+
+done:
+    neighbours_free(&at);
+    free(seen);
+    return st;
+}
+
+status unknowns_pattern(const unknowns *u, int *own, int *beyond)
+{
+    status st = OK;
+    int *after = NULL, *all = NULL;
+    const int top = u->nlevel - 1, p = u->body->order;
+    const bool has_tip = u->last == u->nblock;
+    TRY(TAKE(after, (size_t)u->nplane));
+    TRY(TAKE(all, (size_t)u->nplane));
+    TRY(count_neighbours(u->body->plane, after, all));
+    for (int level = u->share.first; level < u->share.last; level++) {
+        // the highest level that shares a layer with this one
+        const int reach = level == top ? top : (level / p + 1) * p;
+        const int to_cap = u->cap && reach == top ? 2 : 0;
+        const int highest = to_cap ? top - 1 : reach;
+        const int inside = highest < u->share.last ? highest : u->share.last - 1;
+        for (int i = 0; i < u->nplane; i++) {
+            const int block = unknowns_block(u, i, level);
+            if (block >= 0) {
+                own[block - u->first] =
+                    after[i] + all[i] * (inside - level) + (has_tip ? to_cap : 0);
+                beyond[block - u->first] = all[i] * (highest - inside) + (has_tip ? 0 : to_cap);
+            }
+        }
+    }
+    if (u->cap && has_tip && u->first < u->last) {
+        const int cap = u->cap_block - u->first;
+        own[cap] = 2;
+        own[cap + 1] = 1;
+        beyond[cap] = beyond[cap + 1] = 0;
+    }
+
+done:
+    free(after);
+    free(all);
+    return st;
+}
+
+// --- unknowns -> displacements
+
+void unknowns_cap_motion(const unknowns *u, int plane_node, double T[3][6])
+{
+    double r[3];
+    body_node(u->body, plane_node, u->nlevel - 1, r);
+    for (int d = 0; d < 3; d++) {
+        r[d] = (r[d] - u->cap_origin[d]) / u->radius;
+    }
+    const double motion[3][6] = {
+        {1, 0, 0, 0, r[2], -r[1]}, {0, 1, 0, -r[2], 0, r[0]}, {0, 0, 1, r[1], -r[0], 0}};
+    memcpy(T, motion, sizeof motion);
+}
+
+static void follow_cap(const unknowns *u, const double *cap, double *to)
+{
+    for (int i = 0; i < u->nplane; i++, to += 3) {
+        double T[3][6];
+        unknowns_cap_motion(u, i, T);
+        for (int d = 0; d < 3; d++) {
+            to[d] = 0;
+            for (int k = 0; k < 6; k++) {
+                to[d] += T[d][k] * cap[k];
+            }
+        }
+    }
+}
+
+void unknowns_expand(const unknowns *u, int level, const double *blocks, const double *cap,
+                     bool moves, double *displacement)
+{
+    if (unknowns_follow_cap(u, level)) {
+        follow_cap(u, cap, displacement);
+        return;
+    }
+    for (int i = 0; i < u->nplane; i++) {
+        const int block = unknowns_block(u, i, level);
+        double *to = displacement + 3 * (size_t)i;
+        memset(to, 0, 3 * sizeof *to);
+        for (int d = 0; block >= 0 && d < 3; d++) {
+            const size_t at = 3 * unknowns_index(u, i, level) + (size_t)d;
+            if (unknowns_is_held(u, i, level, d)) {
+                to[d] = moves && u->motion ? u->motion[at] : 0;
+            } else {
+                to[d] = blocks[3 * (size_t)(block - u->start[level]) + (size_t)d];
+            }
+        }
+    }
+}
