@@ -31,6 +31,7 @@ typedef struct body_spec {
     // [nlayer][elements of the plane mesh, block after block] material, -1: nothing there; NULL:
     // the plane mesh's own in every layer. Borrowed.
     const int *matter;
+    int hold_first, hold_last; // levels to place, as in body_hold; hold_last 0: all of them
     bool
         mixed; // the volume's change is projected on a lower order (B-bar): no locking as nu -> 1/2
 } body_spec;
@@ -49,14 +50,16 @@ typedef struct body {
     double *node;        // [last - first][nplane][3] places of their nodes [m]; NULL for a prism
     mat3 *axes;          // [last - first] of the section; NULL for a prism
     double (*origin)[3]; // [last - first]; NULL for a prism
+    int *touch_start;    // [nplane + 1] into touch; NULL without spec.matter
+    int *touch;          // elements of the plane mesh, block after block, that a node belongs to
 } body;
 
 // ERR_INPUT where a layer is inverted or has no height; ERR_BUG where the plane mesh is none.
 status body_make(const body_spec *spec, body *out);
 void body_free(body *b);
 
-// Keeps the levels from first to last - 1 only: one rank's share, its neighbours' levels among
-// them.
+// Keeps the levels from first to last - 1 only, all of which must be held: one rank's share, its
+// neighbours' levels among them. Who never has room for all says so in the spec.
 status body_hold(body *b, int first, int last);
 
 // Place of a node of a level that is held.
@@ -81,7 +84,10 @@ int body_material(const body *b, int block, int e, int layer);
 // Whether a node belongs to any matter; all of them unless the spec has `matter`.
 bool body_node_is_used(const body *b, int plane_node, int level);
 
-// The material frame's axes and all else follow the section: what brick.h asks for.
+// The section's pose at s, inside a layer whose levels are held: between them axes and origin are
+// interpolated, the axes made orthonormal again. at: the line's reference coordinate.
+void body_pose_at(const body *b, int layer, double at, mat3 *axes, double origin[3]);
+
 static inline size_t body_node_count(const body *b)
 {
     return (size_t)b->plane->nnode * (size_t)b->nlevel;

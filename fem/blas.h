@@ -1,0 +1,20 @@
+// fem/blas.h
+// The few routines of BLAS that the elements and the dense ways use. Column by column: a matrix
+// stored by rows is its transpose there.
+#pragma once
+
+// C = alpha op(A) op(B) + beta C, C [m][n]
+void dgemm_(const char *op_a, const char *op_b, const int *m, const int *n, const int *k,
+            const double *alpha, const double *a, const int *lda, const double *b, const int *ldb,
+            const double *beta, double *c, const int *ldc);
+
+// one triangle of C = alpha op(A) op(A)^T + beta C, C [n][n]
+void dsyrk_(const char *triangle, const char *op, const int *n, const int *k, const double *alpha,
+            const double *a, const int *lda, const double *beta, double *c, const int *ldc);
+
+// by rows: C [m][n] = A^T B, A [k][m], B [k][n]
+static inline void blas_product(int m, int n, int k, const double *A, const double *B, double *C)
+{
+    const double one = 1, none = 0;
+    dgemm_("N", "T", &n, &m, &k, &one, B, &n, A, &m, &none, C, &n);
+}
