@@ -2,7 +2,7 @@
 #include "app/case.h"
 
 #include "app/case_rod.h"
-#include "fem/segment_material.h"
+#include "app/case_segment.h"
 
 #include <limits.h>
 #include <stdio.h>
@@ -42,7 +42,7 @@ static const key root_keys[] = {
      .kind = KEY_TABLE,
      .offset = offsetof(case_file, fem),
      .table = &segment_keys,
-     .about = "a straight segment of the rod in 3D, for comparison"},
+     .about = "a segment of the rod in 3D"},
 };
 
 void case_keys(key_table *root, case_file *initial)
@@ -170,26 +170,9 @@ done:
     return st;
 }
 
-// those of shapes; of a file it is known with its mesh
-static status check_segment_materials(const case_data *c)
-{
-    status st = OK;
-    const shape_spec *shapes = c->file.section.shapes.items;
-    for (int i = 0; !c->file.section.drawing && i < c->file.section.shapes.count; i++) {
-        const int k = shapes[i].material_index;
-        if (k >= 0) {
-            TRY(case_place(c, segment_takes_material(&c->materials[k]), c->materials[k].at));
-        }
-    }
-
-done:
-    return st;
-}
-
 static status check_parts(case_data *c)
 {
     status st = OK;
-    mark where = {0};
     char folder[PATH_MAX];
     TRY(bind_materials(c));
     TRY(check_section(c));
@@ -198,14 +181,7 @@ static status check_parts(case_data *c)
         TRY(case_rod_bind(c, folder[0] ? folder : NULL));
     }
     if (case_has_segment(c)) {
-        where = c->file.fem.at;
-        TRY(case_place(c, segment_case_check(&c->file.fem, &where), where));
-        TRY(check_segment_materials(c));
-        if (c->file.fem.section_at > c->length) {
-            st = config_fail(c->config, c->file.fem.at,
-                             "the segment's section at %g mm lies beyond the rod's %g mm",
-                             1e3 * c->file.fem.section_at, 1e3 * c->length);
-        }
+        TRY(case_segment_check(c));
     }
 
 done:

@@ -80,8 +80,8 @@ static double angle_of(const double *rotation)
 
 void print_segment(const run_result *r)
 {
-    static const char *const bases[] = {"clamped", "free to contract"};
-    static const char *const tips[] = {"rigid", "E-proportional", "uniform"};
+    static const char *const bases[] = {"clamped", "free to contract", "free"};
+    static const char *const tips[] = {"rigid", "E-proportional", "uniform", "free"};
     const segment_result *fem = &r->segment;
     printf("3D segment: %.4g mm, base %s, tip %s, %d unknowns, estimated error %.1e\n",
            1e3 * r->segment_length, bases[r->segment_base], tips[r->segment_tip], fem->dofs,

@@ -43,6 +43,8 @@ typedef enum dimension {
     DIM_FORCE_PER_LENGTH,  // _N_per_m _N_per_mm _mN_per_mm
     DIM_MOMENT_PER_LENGTH, // _Nm_per_m _Nmm_per_mm _Nmm_per_m
     DIM_ACCELERATION,      // _m_per_s2
+    DIM_FORCE_PER_VOLUME,  // _N_per_mm3 _N_per_m3; of an elastic foundation per area and length
+    DIM_MOMENT_PER_ANGLE,  // _Nm_per_rad _Nmm_per_rad
     DIM_COUNT,
 } dimension;
 

@@ -15,11 +15,17 @@
 // A pressure, a traction or a force per volume that one load may bring along with its tip wrench.
 typedef struct segment_pressure {
     mark at;
-    int face;           // FACE_..., of key `face`
-    double range[2];    // arclengths between which it acts, on walls [m]
+    int face;           // of the key; FACE_... by segment_face_part
+    double range[2];    // arclengths between which it acts, on walls [m]; to INFINITY: the tip
     double pressure;    // against the face [Pa]
     double traction[3]; // [Pa]
 } segment_pressure;
+
+// Imposed on the tip, in one row of three each; not given or NAN: free.
+typedef struct segment_motion {
+    mark at;
+    key_rows translation, rotation; // of the geometric centre [m], [rad]
+} segment_motion;
 
 typedef struct segment_load {
     mark at;
@@ -29,12 +35,11 @@ typedef struct segment_load {
     key_rows point;   // at_mm: [x, y] in one row; not given: geometric centre
     int at_kind; // at: 0 geometric_centre, 1 stiffness_centre (of the section analysis); -1 not
                  // given: 0
-    key_list pressures;     // of segment_pressure
-    double body_force[3];   // [N/m^3]
-    double acceleration[3]; // gravity and the like; needs the materials' densities [m/s^2]
-    key_rows tip_motion; // [1][6] translation of the tip at its geometric centre and rotation that
-                         // the load imposes instead of a wrench [m, rad]; a NaN leaves it free
-    bool holds_move;     // the motions of the case's `holds`
+    key_list pressures;        // of segment_pressure
+    double body_force[3];      // [N/m^3]
+    double acceleration[3];    // gravity and the like; needs the materials' densities [m/s^2]
+    segment_motion tip_motion; // instead of a wrench; by segment_tip_motion
+    bool holds_move;           // the motions of the case's `holds`
 } segment_load;
 
 // Springs and held faces of the case.
@@ -42,18 +47,24 @@ typedef struct segment_spring {
     mark at;
     int face;
     double range[2];
-    double stiffness[3]; // normal, tangential [N/m^3]
+    double normal, tangential; // [N/m^3]
 } segment_spring;
 
 typedef struct segment_hold {
     mark at;
     int face;
     double range[2];
-    int directions;   // bits x y z
-    double motion[3]; // [m]
+    key_rows motion; // [1][3]; NAN: that direction is free [m]
 } segment_hold;
 
+// Between the tip, at its geometric centre, and the ground, along and about x, y, z.
+typedef struct segment_tip_spring {
+    mark at;
+    double translation[3], rotation[3]; // [N/m], [N m/rad]
+} segment_tip_spring;
+
 typedef enum segment_course { COURSE_ALONG, COURSE_PRISM } segment_course;
+typedef enum segment_mixed { MIXED_AUTO, MIXED_YES, MIXED_NO } segment_mixed;
 
 typedef struct segment_case {
     mark at;
@@ -67,14 +78,16 @@ typedef struct segment_case {
     int course;        // segment_course: follows the section along the rod, or keeps it
     int way;           // segment_way
     double tolerance;  // of the tip compliance and the middle's law, relative; 0: the mesh as it is
-    int mixed;         // -1: chosen by Poisson's ratio; 0, 1
-    double tip_spring[6]; // between tip and ground at its geometric centre: along x y z, about x y
-                          // z [N/m, N m/rad]
-    key_list loads;       // of segment_load
-    key_list springs;     // of segment_spring
-    key_list holds;       // of segment_hold
-    bool stress;          // stresses into the result
+    int mixed;         // segment_mixed; MIXED_AUTO: by Poisson's ratio
+    segment_tip_spring tip_spring; // there where its mark is given
+    key_list loads;                // of segment_load
+    key_list springs;              // of segment_spring
+    key_list holds;                // of segment_hold
+    bool stress;                   // stresses into the result
 } segment_case;
+
+// below this estimates are rounding
+#define SEGMENT_MIN_TOLERANCE 1e-9
 
 extern const key_table segment_keys; // `fem`
 segment_case segment_case_default(void);
@@ -91,6 +104,14 @@ segment_case segment_choose(const segment_case *c, double radius);
 // ERR_RESOURCE where a plane mesh of nplane nodes gives more unknowns than one process can number
 // and hold; the case is as segment_choose left it.
 status segment_check_size(const segment_case *c, int nplane);
+
+// The case's entries as a segment_problem has them. A motion of the tip: false where none is
+// imposed; translation and rotation, NAN where free.
+face_part segment_face_part(int face, const double range[2]);
+face_pressure segment_face_pressure(const segment_pressure *p);
+face_spring segment_face_spring(const segment_spring *s);
+face_hold segment_face_hold(const segment_hold *h);
+bool segment_tip_motion(const segment_load *load, double motion[6]);
 
 // The rank under mpirun, 0 without it, from the environment alone: MPI is not started. Only rank 0
 // should print or save.

@@ -1,55 +1,8 @@
 // fem/segment_keys.c
-// The map `fem` of a case, its checks and what is chosen where it says nothing.
-#include "fem/segment.h"
+// The map `fem` of a case, and what is chosen where it says nothing.
+#include "fem/segment_inner_keys.h"
 
 #include <math.h>
-#include <string.h>
-
-static const key load_keys_of[] = {
-    {.name = "name",
-     .kind = KEY_TEXT,
-     .required = true,
-     .offset = offsetof(segment_load, name),
-     .about = "what the load is called in tables and pictures"},
-    {.name = "force",
-     .kind = KEY_VECTOR,
-     .dimension = DIM_FORCE,
-     .count = 3,
-     .offset = offsetof(segment_load, force),
-     .initial = "[0, 0, 0]",
-     .about = "force on the tip, along x, y, z; a negative third component compresses"},
-    {.name = "moment",
-     .kind = KEY_VECTOR,
-     .dimension = DIM_MOMENT,
-     .count = 3,
-     .offset = offsetof(segment_load, moment),
-     .initial = "[0, 0, 0]",
-     .about = "moment on the tip about the point where the force acts"},
-    {.name = "at",
-     .kind = KEY_CHOICE,
-     .choices = "geometric_centre|stiffness_centre",
-     .one_of = -1,
-     .offset = offsetof(segment_load, at_kind),
-     .initial = "geometric_centre",
-     .about = "where the force acts; the stiffness centre is the section analysis' own"},
-    {.name = "at",
-     .kind = KEY_ROWS,
-     .dimension = DIM_LENGTH,
-     .count = 2,
-     .max_count = 1,
-     .one_of = -1,
-     .offset = offsetof(segment_load, point),
-     .about = "[x, y] where the force acts"},
-};
-
-static const segment_load load_initial = {.at_kind = -1};
-
-static const key_table load_keys = {.name = "segment_load",
-                                    .size = sizeof(segment_load),
-                                    .nkey = sizeof load_keys_of / sizeof *load_keys_of,
-                                    .keys = load_keys_of,
-                                    .initial = &load_initial,
-                                    .about = "one load on the tip of the 3D segment"};
 
 static const key keys[] = {
     {.name = "length",
@@ -62,25 +15,77 @@ static const key keys[] = {
      .about = "length of the segment"},
     {.name = "base",
      .kind = KEY_CHOICE,
-     .choices = "clamped|free_to_contract",
+     .choices = "clamped|free_to_contract|free",
      .offset = offsetof(segment_case, base),
      .initial = "clamped",
-     .about = "free_to_contract holds u_z on the base plane and its mean motion only"},
+     .about = "free_to_contract holds u_z on the base plane and its mean motion only; free leaves "
+              "all to springs and holds"},
     {.name = "tip",
      .kind = KEY_CHOICE,
-     .choices = "rigid|E_proportional|uniform",
+     .choices = "rigid|E_proportional|uniform|free",
      .offset = offsetof(segment_case, tip),
      .initial = "rigid",
      .about =
          "how loads enter: by a rigid cap, by a traction E (a + b x + c y) with the wrench asked "
-         "for, or by a uniform traction"},
+         "for, by a uniform traction, or on other faces only"},
+    {.name = "tip_spring",
+     .kind = KEY_TABLE,
+     .offset = offsetof(segment_case, tip_spring),
+     .table = &segment_tip_spring_keys,
+     .about = "springs between the tip and the ground"},
     {.name = "loads",
      .kind = KEY_LIST,
      .max_count = 1000,
      .required = true,
      .offset = offsetof(segment_case, loads),
-     .table = &load_keys,
-     .about = "loads on the tip, each solved by itself"},
+     .table = &segment_load_keys,
+     .about = "loads, each solved by itself"},
+    {.name = "springs",
+     .kind = KEY_LIST,
+     .max_count = 256,
+     .offset = offsetof(segment_case, springs),
+     .table = &segment_spring_keys,
+     .about = "elastic foundations under faces"},
+    {.name = "holds",
+     .kind = KEY_LIST,
+     .max_count = 256,
+     .offset = offsetof(segment_case, holds),
+     .table = &segment_hold_keys,
+     .about = "faces that are held beside the base"},
+    {.name = "body",
+     .kind = KEY_CHOICE,
+     .choices = "along|prism",
+     .offset = offsetof(segment_case, course),
+     .initial = "along",
+     .about = "the body follows the section and the rest shape along the rod from `section_at` on, "
+              "or keeps the section of that place"},
+    {.name = "method",
+     .kind = KEY_CHOICE,
+     .choices = "auto|doubling|direct|iterative",
+     .offset = offsetof(segment_case, way),
+     .initial = "auto",
+     .about = "how it is solved: a slab joined with itself again and again (prisms, turning ones "
+              "too), sparse factors, or conjugate gradients; auto takes the cheapest"},
+    {.name = "tolerance",
+     .kind = KEY_REAL,
+     .min = SEGMENT_MIN_TOLERANCE,
+     .max = 0.1,
+     .offset = offsetof(segment_case, tolerance),
+     .initial = "the mesh as it is",
+     .about = "meshes are refined until the estimated error of the tip's compliance and of the "
+              "middle's 6x6 is below it"},
+    {.name = "mixed",
+     .kind = KEY_CHOICE,
+     .choices = "auto|yes|no",
+     .offset = offsetof(segment_case, mixed),
+     .initial = "auto",
+     .about = "the change of volume on a lower order, so that nothing locks as nu nears 1/2; auto: "
+              "where nu is large"},
+    {.name = "stress",
+     .kind = KEY_FLAG,
+     .offset = offsetof(segment_case, stress),
+     .initial = "false",
+     .about = "stresses into the result's file"},
     {.name = "order",
      .kind = KEY_INTEGER,
      .max = ELEMENT_MAX_ORDER,
@@ -112,7 +117,7 @@ static const key keys[] = {
      .max = 1000,
      .offset = offsetof(segment_case, section_at),
      .initial = "0",
-     .about = "arclength of the rod's section that is extruded"},
+     .about = "arclength of the rod's section at the segment's base"},
 };
 
 static const segment_case initial = {0}; // clamped, rigid, everything chosen
@@ -127,60 +132,6 @@ const key_table segment_keys = {.name = "segment_case",
 segment_case segment_case_default(void)
 {
     return initial;
-}
-
-static bool is_zero(const double *v)
-{
-    return v[0] == 0 && v[1] == 0 && v[2] == 0;
-}
-
-static status check_load(const segment_load *load, int tip)
-{
-    if (is_zero(load->force) && is_zero(load->moment)) {
-        return status_fail(ERR_INPUT, "load '%s' has neither force nor moment", load->name);
-    }
-    if (tip == TIP_UNIFORM && !is_zero(load->moment)) {
-        return status_fail(ERR_INPUT, "load '%s': a uniform traction has no moment", load->name);
-    }
-    if (tip == TIP_UNIFORM && (mark_given(load->point.at) || load->at_kind >= 0)) {
-        return status_fail(
-            ERR_INPUT, "load '%s': a uniform traction acts at the area's centroid; leave `at` out",
-            load->name);
-    }
-    return OK;
-}
-
-static const segment_load *find_load(const segment_load *items, int count, const char *name)
-{
-    for (int i = 0; i < count; i++) {
-        if (strcmp(items[i].name, name) == 0) {
-            return &items[i];
-        }
-    }
-    return NULL;
-}
-
-status segment_case_check(const segment_case *c, mark *where)
-{
-    const segment_load *loads = c->loads.items;
-    *where = c->at;
-    if (c->layers == 1) {
-        return status_fail(ERR_INPUT, "fem: one layer has no middle, layers is 2 or more");
-    }
-    if (c->grading != 0 && c->grading < 1) {
-        return status_fail(ERR_INPUT, "fem: grading %g is less than 1", c->grading);
-    }
-    for (int i = 0; i < c->loads.count; i++) {
-        *where = loads[i].at;
-        const status st = check_load(&loads[i], c->tip);
-        if (st != OK) {
-            return st;
-        }
-        if (find_load(loads, i, loads[i].name)) {
-            return status_fail(ERR_INPUT, "there are two loads '%s'", loads[i].name);
-        }
-    }
-    return OK;
 }
 
 // --- what is chosen, measured on the segment of the paper's Fig. 4: tip motion to 3e-4 with 14 k

@@ -23,6 +23,8 @@ int unit_list(dimension d, const unit **list)
     static const unit line_force[] = {{"N_per_m", 1}, {"N_per_mm", 1e3}, {"mN_per_mm", 1}};
     static const unit line_moment[] = {{"Nm_per_m", 1}, {"Nmm_per_mm", 1}, {"Nmm_per_m", 1e-3}};
     static const unit acceleration[] = {{"m_per_s2", 1}};
+    static const unit volume_force[] = {{"N_per_mm3", 1e9}, {"N_per_m3", 1}};
+    static const unit angle_moment[] = {{"Nm_per_rad", 1}, {"Nmm_per_rad", 1e-3}};
     static const struct {
         const unit *list;
         int count;
@@ -38,6 +40,8 @@ int unit_list(dimension d, const unit **list)
         [DIM_FORCE_PER_LENGTH] = {line_force, sizeof line_force / sizeof *line_force},
         [DIM_MOMENT_PER_LENGTH] = {line_moment, sizeof line_moment / sizeof *line_moment},
         [DIM_ACCELERATION] = {acceleration, sizeof acceleration / sizeof *acceleration},
+        [DIM_FORCE_PER_VOLUME] = {volume_force, sizeof volume_force / sizeof *volume_force},
+        [DIM_MOMENT_PER_ANGLE] = {angle_moment, sizeof angle_moment / sizeof *angle_moment},
     };
     *list = all[d].list;
     return all[d].count;
