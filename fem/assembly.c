@@ -148,6 +148,21 @@ done:
     return st;
 }
 
+// rows of the levels from the share's last that its layers reach
+static int rows_above(const assembler *a)
+{
+    const supports *s = a->supports;
+    const int p = a->column->order, last = a->share.last_level, top = s->nlevel - 1;
+    if (a->share.last == s->nblock || last == a->share.first_level) {
+        return 0;
+    }
+    const int reach = ((last - 1) / p + 1) * p; // the highest level that the last one couples to
+    if (reach == top) {
+        return s->nblock - a->share.last;
+    }
+    return s->nplane * (reach + 1 - last);
+}
+
 static status make_matrix(assembler *a)
 {
     status st = OK;
@@ -159,6 +174,7 @@ static status make_matrix(assembler *a)
     const petsc_pattern pattern = {.nblock = a->supports->nblock,
                                    .first = a->share.first,
                                    .last = a->share.last,
+                                   .nabove = rows_above(a),
                                    .diagonal = own,
                                    .beyond = beyond};
     TRY(a->door->matrix_make(&pattern, &a->matrix));

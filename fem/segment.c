@@ -1,7 +1,6 @@
 // fem/segment.c
 #include "fem/segment.h"
 
-#include "base/door.h"
 #include "base/memory.h"
 #include "fem/section_law.h"
 
@@ -30,19 +29,6 @@ int segment_rank(void)
 {
     const char *rank = getenv("OMPI_COMM_WORLD_RANK");
     return rank ? (int)strtol(rank, NULL, 10) : 0;
-}
-
-static status open_door(const petsc_door **out)
-{
-    status st = OK;
-    door_function found = NULL;
-    petsc_door_getter get = NULL;
-    TRY(door_open("petsc", PETSC_DOOR_SYMBOL, &found));
-    memcpy(&get, &found, sizeof get);
-    *out = get();
-
-done:
-    return st;
 }
 
 // --- one load from the unit solutions
@@ -307,7 +293,7 @@ status segment_solve(const segment_case *given, const segment_source *source,
 
     TRY(make_meshes(&c, source, &r));
     TRY(column_make(&r.plane, source->materials, c.order, r.nlevel, r.level, &col));
-    TRY(open_door(&door));
+    TRY(petsc_door_open(&door));
     TRY(solve_column(door, &c, &col, &list, &r));
     *out = r;
     r = (segment_result){0};
@@ -326,7 +312,7 @@ status segment_section_law(const mesh *plane, const material *materials, beam_la
     beam_law law = {0}, lower_law = {0};
     double end_effect = 0, jacobian = 0, unused = 0;
 
-    TRY(open_door(&door));
+    TRY(petsc_door_open(&door));
     TRY(section_law_solve(door, plane, materials, &end_effect, &law));
     law.relative_error = 1;
     if (plane->order > 1) {

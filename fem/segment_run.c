@@ -114,11 +114,37 @@ done:
     return st;
 }
 
+// by each rank's rows, and whole again
+static status solve_rows(const petsc_door *door, petsc_matrix *matrix, double norm,
+                         supports_share share, size_t unknowns, int nrhs, const double *b,
+                         double *x, double *residual)
+{
+    status st = OK;
+    double *mine = NULL, *found = NULL;
+    const size_t first = 3 * (size_t)share.first, n = 3 * (size_t)(share.last - share.first);
+    TRY(TAKE(mine, n * (size_t)nrhs));
+    TRY(TAKE(found, n * (size_t)nrhs));
+    for (size_t j = 0; j < (size_t)nrhs; j++) {
+        memcpy(mine + j * n, b + j * unknowns + first, n * sizeof *b);
+    }
+    TRY(refined_solve(door, matrix, norm, n, nrhs, mine, found, residual));
+    for (size_t j = 0; j < (size_t)nrhs; j++) {
+        memcpy(x + j * unknowns + first, found + j * n, n * sizeof *b);
+        door->sum((int)unknowns, x + j * unknowns);
+    }
+
+done:
+    free(mine);
+    free(found);
+    return st;
+}
+
 static status solve(const petsc_door *door, const column *c, const supports *s, segment_run *run)
 {
     status st = OK;
     petsc_matrix *matrix = NULL;
-    double *b = NULL, *x = NULL, norm = 0;
+    double *b = NULL, *x = NULL;
+    petsc_factors factors = {0};
     int rank = 0, size = 1;
     const size_t unknowns = 3 * (size_t)s->nblock, nrhs = (size_t)run->nsolution;
 
@@ -132,9 +158,10 @@ static status solve(const petsc_door *door, const column *c, const supports *s, 
         load_vector(run, s, j, b + (size_t)j * unknowns);
     }
     const double assembled = wall_seconds();
-    TRY(door->matrix_factor(matrix, &norm));
+    TRY(door->matrix_factor(matrix, &factors));
     const double factored = wall_seconds();
-    TRY(refined_solve(door, matrix, norm, unknowns, run->nsolution, b, x, &run->residual));
+    TRY(solve_rows(door, matrix, factors.norm, supports_share_of(s, rank, size), unknowns,
+                   run->nsolution, b, x, &run->residual));
     run->factor_seconds = factored - assembled;
     run->solve_seconds = wall_seconds() - factored;
     run->dofs = (int)unknowns;

@@ -18,16 +18,15 @@ void unknowns_free(unknowns *u)
 
 // --- who has which layers
 
-static double layer_matter(const body *b, int layer)
+static double layer_matter(const body_spec *s, int layer)
 {
+    const int *matter =
+        s->matter ? s->matter + (size_t)layer * (size_t)mesh_element_count(s->plane) : NULL;
     double nodes = 0;
-    for (int k = 0; k < b->plane->nblock; k++) {
-        const mesh_block *block = &b->plane->block[k];
-        if (!b->spec.matter) {
-            nodes += (double)block->nelem * block->per_elem;
-        }
-        for (int e = 0; b->spec.matter && e < block->nelem; e++) {
-            nodes += body_material(b, k, e, layer) >= 0 ? block->per_elem : 0;
+    for (int k = 0, index = 0; k < s->plane->nblock; k++) {
+        const mesh_block *block = &s->plane->block[k];
+        for (int e = 0; e < block->nelem; e++, index++) {
+            nodes += !matter || matter[index] >= 0 ? block->per_elem : 0;
         }
     }
     return nodes;
@@ -35,13 +34,13 @@ static double layer_matter(const body *b, int layer)
 
 // the first layer of a rank: as much matter below it as its share of the whole, one layer for each
 // rank at least
-static int first_layer(const body *b, int rank, int size, double all)
+static int first_layer(const body_spec *s, int rank, int size, double all)
 {
-    const int most = b->nlayer - (size - rank);
+    const int most = s->nlayer - (size - rank);
     int layer = 0;
     double below = 0;
     for (; layer < most; layer++) {
-        const double here = layer_matter(b, layer);
+        const double here = layer_matter(s, layer);
         if (layer >= rank && below + here / 2 >= all * rank / size) {
             break;
         }
@@ -50,28 +49,26 @@ static int first_layer(const body *b, int rank, int size, double all)
     return layer;
 }
 
-level_share level_share_of(const body *b, int rank, int size)
+level_share level_share_of(const body_spec *spec, int rank, int size)
 {
-    level_share s = {.rank = rank, .size = size};
-    const int busy = size < b->nlayer ? size : b->nlayer;
+    const int n = spec->nlayer, busy = size < n ? size : n, top = n * spec->order;
+    level_share s = {.rank = rank, .size = size, .first_layer = n, .last_layer = n};
+    double all = 0;
     if (rank >= busy) {
-        s.first_layer = s.last_layer = b->nlayer;
-        s.first = s.last = b->nlevel;
-        s.from = b->nlevel - 1;
-        s.to = b->nlevel;
+        s.first = s.last = s.to = top + 1;
+        s.from = top;
         return s;
     }
-    double all = 0;
-    for (int layer = 0; layer < b->nlayer; layer++) {
-        all += layer_matter(b, layer);
+    for (int layer = 0; layer < n; layer++) {
+        all += layer_matter(spec, layer);
     }
     const bool last = rank == busy - 1;
-    s.first_layer = rank == 0 ? 0 : first_layer(b, rank, busy, all);
-    s.last_layer = last ? b->nlayer : first_layer(b, rank + 1, busy, all);
-    s.first = s.first_layer * b->order;
-    s.last = last ? b->nlevel : s.last_layer * b->order;
-    s.from = (s.first_layer > 0 ? s.first_layer - 1 : 0) * b->order;
-    s.to = s.last_layer * b->order + 1;
+    s.first_layer = rank == 0 ? 0 : first_layer(spec, rank, busy, all);
+    s.last_layer = last ? n : first_layer(spec, rank + 1, busy, all);
+    s.first = s.first_layer * spec->order;
+    s.last = s.last_layer * spec->order + (last ? 1 : 0);
+    s.from = (s.first_layer > 0 ? s.first_layer - 1 : 0) * spec->order;
+    s.to = s.last_layer * spec->order + 1;
     return s;
 }
 

@@ -20,8 +20,9 @@ typedef struct level_share {
                   // add to its rows; from <= level < to, one level where it has no layer
 } level_share;
 
-// Layers shared out by their matter. From the spec alone: body_hold may come next.
-level_share level_share_of(const body *b, int rank, int size);
+// Layers shared out by their matter. From the spec alone: its hold_first and hold_last may come
+// next.
+level_share level_share_of(const body_spec *spec, int rank, int size);
 
 typedef struct unknowns {
     const body *body;

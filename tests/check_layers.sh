@@ -25,8 +25,8 @@ png.h meshes/png_door.c
 gmshc.h meshes/(gmsh|gmsh_sides|cad|cad_cut|cad_sizes|cad_curves)_door_module.c
 cholmod.h section/cholmod_door.c
 omp.h section/cholmod_door.c
-petsc fem/petsc_door_module.c
-mpi.h fem/petsc_door_module.c
+petsc fem/petsc_(inside\.h|[a-z_]*door_module\.c)
+mpi.h fem/petsc_[a-z_]*door_module.c
 cairo reports/cairo_door.c'
 
 bad=0

@@ -1,0 +1,19 @@
+// fem/petsc_door.c
+#include "fem/petsc_door.h"
+
+#include "base/door.h"
+
+#include <string.h>
+
+status petsc_door_open(const petsc_door **out)
+{
+    status st = OK;
+    door_function found = NULL;
+    petsc_door_getter get = NULL;
+    TRY(door_open("petsc", PETSC_DOOR_SYMBOL, &found));
+    memcpy(&get, &found, sizeof get);
+    *out = get();
+
+done:
+    return st;
+}

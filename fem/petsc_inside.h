@@ -1,0 +1,47 @@
+// fem/petsc_inside.h
+// What the modules of the PETSc door share; no file outside of it includes this.
+#pragma once
+
+#include "fem/petsc_door.h"
+
+#include <petscmat.h>
+
+enum { PETSC_BLOCK = 3 };
+
+struct petsc_matrix {
+    Mat A, factor;
+    int nblock, first, last;
+    int nabove; // blocks after `last` that its rows couple to: the first of the next rank with rows
+    int nfirst; // of its own rows, to which the rank before couples
+    int before, after; // ranks next to this one, MPI_PROC_NULL: none
+};
+
+// what a user can do about memory
+#define PETSC_SMALLER "take fewer fem.layers, a lower fem.order or a larger fem.size_mm"
+
+status petsc_fail(PetscErrorCode code, const char *call);
+
+#define PETSC_TRY(call)                                                                            \
+    do {                                                                                           \
+        PetscErrorCode code_ = (call);                                                             \
+        if (code_) {                                                                               \
+            TRY(petsc_fail(code_, #call));                                                         \
+        }                                                                                          \
+    } while (0)
+
+// --- petsc_door_module.c
+
+status petsc_agree(status mine);   // petsc_door.agree
+double petsc_machine_memory(void); // of the machine, or what the process may have of it [byte]
+
+// --- petsc_matrix_door_module.c
+
+status petsc_matrix_make(const petsc_pattern *pattern, petsc_matrix **out);
+status petsc_matrix_add(petsc_matrix *m, int n, const int *block, const double *a);
+status petsc_matrix_factor(petsc_matrix *m, petsc_factors *out);
+void petsc_matrix_free(petsc_matrix *m);
+
+// --- petsc_solve_door_module.c
+
+status petsc_matrix_solve(petsc_matrix *m, int ncol, const double *b, double *x);
+status petsc_matrix_multiply(petsc_matrix *m, int ncol, const double *x, long double *y);
