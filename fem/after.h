@@ -1,0 +1,79 @@
+// fem/after.h
+// What follows from a solved segment: compliance, middle, centres, ends, slices and loads. Pure
+// functions of a way_run and its problem; the same on every rank. docs/theory.md (5.2) to (5.5),
+// (5.16) to (5.18)
+#pragma once
+
+#include "base/beam_law.h"
+#include "fem/load.h"
+#include "fem/way.h"
+
+// The section at a height: axes as columns and origin in the base's axes.
+typedef struct section_pose {
+    mat3 axes;
+    vec3 origin; // [m]
+} section_pose;
+
+typedef struct after {
+    const segment_problem *problem;
+    const way_run *run;
+    double middle, middle_half; // the energy's window [m]
+    double radius, length;      // of the body [m]
+    section_pose *pose;         // [run->nlevel]
+    section_pose centre;        // at the window's centre
+    bool straight;              // the origins lie on the base's z
+    double area;                // of the section at the window's centre [m^2]
+    double EA;                  // of the tip [N]
+    double tip_centroid[2];     // of E over the tip, from the section's origin, base's axes [m]
+    double area_centroid[2];    // of the area over the tip
+    mat6 compliance;            // C: E-weighted motion of the tip, columns for six unit wrenches
+    double (*curvature)[2];     // [ncolumn] over the middle, (5.3) [1/m per N or N m]
+    mat6 F;                     // compliance per length of the middle, section's axes there, (5.5)
+} after;
+
+// `wants` as the way had them. What it points to must outlive it. ERR_NUMERIC where the energy of
+// the middle is not that of an elastic body.
+status after_make(const segment_problem *p, const way_run *run, const way_wants *wants, after *out);
+void after_free(after *a);
+
+// K of the middle in the axes of the base (of the section there where the body bends), area.
+status after_middle(const after *a, beam_law *out);
+
+// Where an axial force leaves the middle uncurved (5.4), and where it leaves the tip unturned [m].
+status after_centre(const after *a, double centre[2]);
+status after_tip_centre(const after *a, double centre[2]);
+
+// Length that both ends together take, per generalized strain, (5.17) [m]; NaN where the law is not
+// the same all along.
+status after_end_length(const after *a, double length[6]);
+
+// What acts on the tip beside the columns, and what it answers. docs/theory.md (5.18)
+typedef struct tip_load {
+    vec6 wrench;      // about the section's origin at the tip
+    double spring[6]; // between tip and ground [N/m, N m/rad]
+    double motion[6]; // imposed; NaN: free, then `wrench` acts
+    int column;       // of the run, added once: what the load brings along; -1: none
+} tip_load;
+
+// Factors of the columns [ncolumn]: wrenches that leave the tip where springs and imposed motions
+// want it. ERR_NUMERIC where they contradict.
+status after_combine(const after *a, const tip_load *load, double *factor);
+
+// E-weighted motion of the tip by factors, and half the work of all that acts [J]: the strain
+// energy, with what the problem's own springs hold.
+vec6 after_tip_motion(const after *a, const double *factor);
+double after_energy(const after *a, const double *factor);
+
+// One slice per height of the run: [nlevel] motion and resultant in the base's axes about the
+// section's origin, what the tip's wrench puts on it, and strains of the fitted motions in the
+// section's axes, (5.16).
+typedef struct slice_arrays {
+    vec6 *motion, *resultant, *load, *strain;
+} slice_arrays;
+status after_slices(const after *a, const double *factor, const slice_arrays *out);
+
+// Largest miss of the resultants against the loads, moments over the radius, over the largest load.
+double after_balance(const after *a, const vec6 *resultant, const vec6 *load);
+
+// A wrench at one point as seen from another: `from` - `to` is the arm.
+vec6 wrench_moved(vec6 wrench, vec3 from, vec3 to);
