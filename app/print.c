@@ -83,7 +83,7 @@ void print_segment(const run_result *r)
     static const char *const bases[] = {"clamped", "free to contract", "free"};
     static const char *const tips[] = {"rigid", "E-proportional", "uniform", "free"};
     const segment_result *fem = &r->segment;
-    printf("3D segment: %.4g mm, base %s, tip %s, %d unknowns, estimated error %.1e\n",
+    printf("3D segment: %.4g mm, base %s, tip %s, %lld unknowns, estimated error %.1e\n",
            1e3 * r->segment_length, bases[r->segment_base], tips[r->segment_tip], fem->dofs,
            fem->relative_error);
     printf("centre found by FEM: x = %.4f mm, y = %.4f mm\n",

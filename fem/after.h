@@ -6,6 +6,7 @@
 
 #include "base/beam_law.h"
 #include "fem/load.h"
+#include "fem/segment.h"
 #include "fem/way.h"
 
 // The section at a height: axes as columns and origin in the base's axes.
@@ -47,16 +48,16 @@ status after_tip_centre(const after *a, double centre[2]);
 // the same all along.
 status after_end_length(const after *a, double length[6]);
 
-// What acts on the tip beside the columns, and what it answers. docs/theory.md (5.18)
+// What acts on the tip, and what it answers. docs/theory.md (5.18)
 typedef struct tip_load {
     vec6 wrench;      // about the section's origin at the tip
     double spring[6]; // between tip and ground [N/m, N m/rad]
     double motion[6]; // imposed; NaN: free, then `wrench` acts
-    int column;       // of the run, added once: what the load brings along; -1: none
 } tip_load;
 
-// Factors of the columns [ncolumn]: wrenches that leave the tip where springs and imposed motions
-// want it. ERR_NUMERIC where they contradict.
+// Factors of the columns [ncolumn]: those beyond the six stay as they are, the six become the
+// wrench that leaves the tip where springs and imposed motions want it. ERR_NUMERIC where they
+// contradict.
 status after_combine(const after *a, const tip_load *load, double *factor);
 
 // E-weighted motion of the tip by factors, and half the work of all that acts [J]: the strain
@@ -77,3 +78,27 @@ double after_balance(const after *a, const vec6 *resultant, const vec6 *load);
 
 // A wrench at one point as seen from another: `from` - `to` is the arm.
 vec6 wrench_moved(vec6 wrench, vec3 from, vec3 to);
+
+// --- into a segment_result
+
+// All that belongs to no load: compliance, middle, centres, end lengths, dofs, residual and
+// iterations; CPU seconds are added to what is there.
+status after_fill(const after *a, segment_result *r);
+
+typedef struct after_ask {
+    const segment_load *load;
+    const double *point;      // [2] where its force acts, as the case resolved it [m]
+    const double *tip_spring; // [6] of the case
+    int column;               // of the run: what it brings along beside its wrench; -1: none
+    int uniform; // first of three columns for unit forces by uniform traction, which then carry
+                 // its force; -1: the six unit wrenches do
+    bool fields; // displacements too: of this rank's levels
+} after_ask;
+
+// One load from the run's columns, but for its errors and stresses. ERR_INPUT where a uniform
+// traction cannot be what it asks for. What out owns is the caller's to free, after a failure too.
+status after_load(const after *a, const after_ask *ask, segment_load_result *out);
+
+// All estimates of `fine` from the differences to a coarser mesh, times factor: 1 where nothing is
+// known of the rate, 1 / (rate - 1) where it is.
+void after_errors(const segment_result *coarse, double factor, segment_result *fine);

@@ -35,10 +35,7 @@ status after_combine(const after *a, const tip_load *load, double *factor)
 {
     double A[AFTER_MOST_UNKNOWNS][AFTER_MOST_UNKNOWNS] = {{0}}, b[6];
     const mat6 C = a->compliance;
-    memset(factor, 0, (size_t)a->run->ncolumn * sizeof *factor);
-    if (load->column >= 0) {
-        factor[load->column] = 1;
-    }
+    memset(factor, 0, 6 * sizeof *factor);
     const vec6 beside = after_tip_motion(a, factor);
     for (int i = 0; i < 6; i++) {
         const bool moved = !isnan(load->motion[i]);

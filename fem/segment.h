@@ -180,7 +180,7 @@ typedef struct segment_load_result {
 typedef struct segment_result {
     int way;         // segment_way that was taken
     const char *why; // in words: what the cost model said
-    int dofs;
+    long long dofs;
     int rungs; // meshes that were solved
     bool met;  // the tolerance
     segment_mesh mesh_used;

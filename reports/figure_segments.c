@@ -132,7 +132,7 @@ static void notes(canvas *c, const segment_scene *s, const layout *l, double y)
                        r->segment.nload);
     }
     (void)snprintf(text, sizeof text,
-                   "Linear elasticity, %d unknowns; base %s; tip: %s. Displacements drawn %s. "
+                   "Linear elasticity, %lld unknowns; base %s; tip: %s. Displacements drawn %s. "
                    "Dashed: undeformed%s.%s",
                    r->segment.dofs, base[r->segment_base == BASE_FREE_TO_CONTRACT],
                    tip[(unsigned)r->segment_tip % 3], scale,

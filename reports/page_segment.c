@@ -79,7 +79,7 @@ status page_segment(bytes *page, const run_result *r, const char *dir)
 
     PAGE("<h2 id=\"segment\">3D segment</h2>\n<p>The section at s = %s mm, extruded to %s mm; "
          "linear elasticity "
-         "with %d unknowns. ",
+         "with %lld unknowns. ",
          number_short(r->segment_section_at * 1e3, 6).text,
          number_short(r->segment_length * 1e3, 6).text, s->dofs);
     PAGE("Base: %s. Tip: %s.</p>\n", base[r->segment_base == BASE_FREE_TO_CONTRACT],

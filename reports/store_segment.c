@@ -2,9 +2,11 @@
 #include "base/memory.h"
 #include "reports/store_parts.h"
 
-#include <limits.h>
 #include <stdio.h>
 #include <string.h>
+
+// integers up to here are doubles
+static const double MOST_DOFS = 9007199254740992.0;
 
 static status pass_load_names(const passage *p, run_result *r, int n)
 {
@@ -100,7 +102,6 @@ status store_pass_segment(const passage *p, run_result *r)
         {"section_at_m", COLUMN_REAL, "m", SEGMENT(segment_section_at), 0, {0}, 0},
         {"base", COLUMN_INT, "-", SEGMENT(segment_base), 0, {0}, BASE_FREE_TO_CONTRACT},
         {"tip", COLUMN_INT, "-", SEGMENT(segment_tip), 0, {0}, TIP_UNIFORM},
-        {"dofs", COLUMN_INT, "-", SEGMENT(segment.dofs), 0, {0}, INT_MAX},
         {"K", COLUMN_REAL, STIFFNESS_UNIT, SEGMENT(segment.middle.K), 2, {6, 6}, 0},
         {"area_m2", COLUMN_POSITIVE, "m^2", SEGMENT(segment.middle.area), 0, {0}, 0},
         {"K_relative_error", COLUMN_ANY, "-", SEGMENT(segment.middle.relative_error), 0, {0}, 0},
@@ -117,7 +118,14 @@ status store_pass_segment(const passage *p, run_result *r)
         {"residual", COLUMN_ANY, "-", SEGMENT(segment.residual), 0, {0}, 0},
     };
 #undef SEGMENT
+    static const column dofs = {"dofs", COLUMN_REAL, "-", 0, 0, {0}, 0};
     status st = OK;
+    double count = (double)r->segment.dofs; // more than an int holds
+    TRY(passage_columns(p, "fem", 1, &dofs, single(&count)));
+    if (!(count >= 0 && count < MOST_DOFS)) {
+        TRY(passage_damaged(p, "fem/dofs", "is out of range"));
+    }
+    r->segment.dofs = (long long)count;
     TRY(passage_columns(p, "fem", COUNT_OF(columns), columns, single(r)));
     TRY(passage_mesh(p, "fem/plane", 2, r->nmaterial, &r->segment_plane));
     TRY(passage_mesh(p, "fem/mesh", 3, r->nmaterial, &r->segment_mesh));

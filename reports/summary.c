@@ -163,7 +163,7 @@ static void segment_lines(summary *s, const run_result *r)
     const double rounding = 1e-11; // of a solve with a million unknowns, for a segment of size 1
     const segment_result *g = &r->segment;
     const int shown = g->nload < 4 ? g->nload : 4;
-    add(s, "segment  %.4g mm, %d unknowns, centre found (%.4f, %.4f) mm", r->segment_length * 1e3,
+    add(s, "segment  %.4g mm, %lld unknowns, centre found (%.4f, %.4f) mm", r->segment_length * 1e3,
         g->dofs, plain(g->stiffness_centre[0] * 1e3, 5e-5),
         plain(g->stiffness_centre[1] * 1e3, 5e-5));
     for (int i = 0; i < shown; i++) {

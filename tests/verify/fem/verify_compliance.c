@@ -73,8 +73,8 @@ static double check_compliance(int order, const segment_result *r)
     // u [mm] by F [N]: x 1e3; u by M [N mm] and rotation by F: 1; rotation by M: 1e-3
     const mat6 C = in_millimetres(r->tip_compliance, sqrt(1e3), sqrt(1e-3));
     const double error = mat6_relative_error(C, reference_compliance());
-    printf("order %d: %6d dofs, compliance to %.2e, estimate %.2e, residual %.1e\n", order, r->dofs,
-           error, r->relative_error, r->residual);
+    printf("order %d: %6lld dofs, compliance to %.2e, estimate %.2e, residual %.1e\n", order,
+           r->dofs, error, r->relative_error, r->residual);
     CHECK_WITHIN(error, 0, COMPLIANCE[order]);
     CHECK(error <= r->relative_error + REFERENCE_ERROR);
     CHECK(r->residual > 0 && r->residual < 1e-14);

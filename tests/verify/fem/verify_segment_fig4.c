@@ -26,7 +26,7 @@ static void solve(double nu, int base, int tip, int layers, segment_result *r)
     }
     for (int i = 0; i < 2; i++) {
         printf("nu %.2f, base %d, tip %d, %s: shortening %.6f mm, u_z(0) %.6f mm, tip %.5f deg, "
-               "curvature %.5f 1/m, centres %.5f and %.5f mm, %d dofs\n",
+               "curvature %.5f 1/m, centres %.5f and %.5f mm, %lld dofs\n",
                nu, base, tip, r->load[i].name, 1e3 * r->load[i].shortening,
                1e3 * r->load[i].tip_displacement[2], r->load[i].tip_rotation[1] * 180 / PI,
                r->load[i].mid_curvature[1], 1e3 * r->stiffness_centre[0], 1e3 * r->tip_centre[0],

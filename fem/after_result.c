@@ -1,0 +1,221 @@
+// fem/after_result.c
+// From a run to what people read: segment_result and its loads.
+#include "fem/after_parts.h"
+
+#include "base/memory.h"
+
+#include <math.h>
+#include <string.h>
+
+// a point this near to the centroid, over the section's radius, is the centroid: rounding and the
+// mesh's own geometry
+static const double CENTROID_TOLERANCE = 1e-4;
+
+status after_fill(const after *a, segment_result *r)
+{
+    status st = OK;
+    const way_run *run = a->run;
+    TRY(after_middle(a, &r->middle));
+    TRY(after_centre(a, r->stiffness_centre));
+    TRY(after_tip_centre(a, r->tip_centre));
+    TRY(after_end_length(a, r->end_length));
+    r->tip_compliance = a->compliance;
+    r->dofs = run->dofs;
+    r->residual = fmax(r->residual, run->residual);
+    r->iterations = run->iterations;
+    r->assemble_seconds += run->assemble_seconds;
+    r->factor_seconds += run->factor_seconds;
+    r->solve_seconds += run->solve_seconds;
+
+done:
+    return st;
+}
+
+// --- a load
+
+static status check_uniform(const after *a, const after_ask *ask)
+{
+    const double *centroid = a->area_centroid, *point = ask->point;
+    const double away = hypot(point[0] - centroid[0], point[1] - centroid[1]);
+    if ((point[0] != 0 || point[1] != 0) && away > CENTROID_TOLERANCE * a->radius) {
+        return status_fail(ERR_INPUT,
+                           "load '%s': a uniform traction acts at the area's centroid (%.6g, %.6g) "
+                           "mm, not at (%.6g, %.6g) mm",
+                           ask->load->name, 1e3 * centroid[0], 1e3 * centroid[1], 1e3 * point[0],
+                           1e3 * point[1]);
+    }
+    if (ask->load->moment[0] != 0 || ask->load->moment[1] != 0 || ask->load->moment[2] != 0) {
+        return status_fail(ERR_INPUT, "load '%s': a uniform traction has no moment",
+                           ask->load->name);
+    }
+    return OK;
+}
+
+// the wrench about the section's origin at the tip
+static vec6 wrench_at_origin(const double *force, const double *moment, const double *point)
+{
+    vec6 w;
+    memcpy(w.a, force, 3 * sizeof *force);
+    memcpy(w.a + 3, moment, 3 * sizeof *moment);
+    return wrench_moved(w, (vec3){{point[0], point[1], 0}}, (vec3){{0, 0, 0}});
+}
+
+static status find_factors(const after *a, const after_ask *ask, double *factor)
+{
+    const segment_load *load = ask->load;
+    tip_load on_tip = {0};
+    for (int i = 0; i < 3 && ask->uniform >= 0; i++) {
+        factor[ask->uniform + i] = load->force[i];
+    }
+    if (ask->uniform < 0) {
+        on_tip.wrench = wrench_at_origin(load->force, load->moment, ask->point);
+    }
+    if (ask->column >= 0) {
+        factor[ask->column] = 1;
+    }
+    for (int i = 0; i < 6; i++) {
+        on_tip.spring[i] = ask->tip_spring[i];
+        on_tip.motion[i] = load->tip_motion.nrow > 0 ? load->tip_motion.a[i] : NAN;
+    }
+    return after_combine(a, &on_tip, factor);
+}
+
+// what acts on the tip from outside, its spring not among it: as given, and with the reactions
+// where the tip's motion is
+static void tell_wrench(const after *a, const after_ask *ask, const double *factor,
+                        segment_load_result *out)
+{
+    const segment_load *load = ask->load;
+    const vec6 q = after_tip_motion(a, factor);
+    memcpy(out->point, ask->uniform >= 0 ? a->area_centroid : ask->point, sizeof out->point);
+    memcpy(out->force, load->force, sizeof out->force);
+    memcpy(out->moment, load->moment, sizeof out->moment);
+    if (load->tip_motion.nrow == 0) {
+        return;
+    }
+    vec6 w = {0};
+    if (ask->uniform >= 0) {
+        w = wrench_at_origin(load->force, load->moment, out->point);
+    }
+    for (int i = 0; i < 6; i++) {
+        w.a[i] += factor[i] + ask->tip_spring[i] * q.a[i];
+    }
+    w = wrench_moved(w, (vec3){{0, 0, 0}}, (vec3){{out->point[0], out->point[1], 0}});
+    memcpy(out->force, w.a, sizeof out->force);
+    memcpy(out->moment, w.a + 3, sizeof out->moment);
+}
+
+static status keep_slices(const after *a, const double *factor, segment_load_result *out)
+{
+    status st = OK;
+    const size_t n = (size_t)a->run->nlevel;
+    slice_arrays at = {0};
+    TRY(TAKE(at.motion, n));
+    TRY(TAKE(at.resultant, n));
+    TRY(TAKE(at.load, n));
+    TRY(TAKE(at.strain, n));
+    TRY(TAKE(out->slice, n));
+    TRY(after_slices(a, factor, &at));
+    out->nslice = a->run->nlevel;
+    for (size_t i = 0; i < n; i++) {
+        out->slice[i] = (segment_slice){.s = a->run->z[i],
+                                        .motion = at.motion[i],
+                                        .resultant = at.resultant[i],
+                                        .load = at.load[i],
+                                        .strain = at.strain[i]};
+    }
+    out->balance = after_balance(a, at.resultant, at.load);
+
+done:
+    free(at.motion);
+    free(at.resultant);
+    free(at.load);
+    free(at.strain);
+    return st;
+}
+
+static status keep_displacement(const after *a, const double *factor, double **out)
+{
+    status st = OK;
+    const way_run *run = a->run;
+    const size_t all =
+        3 * (size_t)a->problem->body->plane->nnode * (size_t)(run->last - run->first);
+    TRY(TAKE(*out, all));
+    for (int j = 0; j < run->ncolumn; j++) {
+        const double *u = run->u + (size_t)j * all;
+        for (size_t i = 0; factor[j] != 0 && i < all; i++) {
+            (*out)[i] += factor[j] * u[i];
+        }
+    }
+
+done:
+    return st;
+}
+
+status after_load(const after *a, const after_ask *ask, segment_load_result *out)
+{
+    status st = OK;
+    double *factor = NULL;
+    TRY(ask->uniform >= 0 ? check_uniform(a, ask) : OK);
+    TRY(TAKE(factor, (size_t)a->run->ncolumn));
+    TRY(find_factors(a, ask, factor));
+    *out = (segment_load_result){.name = ask->load->name};
+    tell_wrench(a, ask, factor, out);
+
+    const vec6 q = after_tip_motion(a, factor);
+    const double *centre = a->tip_centroid;
+    out->shortening = -(q.a[NZ] + q.a[MX] * centre[1] - q.a[MY] * centre[0]);
+    memcpy(out->tip_displacement, q.a, sizeof out->tip_displacement);
+    memcpy(out->tip_rotation, q.a + 3, sizeof out->tip_rotation);
+    for (int j = 0; j < a->run->ncolumn; j++) {
+        out->mid_curvature[0] += factor[j] * a->curvature[j][0];
+        out->mid_curvature[1] += factor[j] * a->curvature[j][1];
+    }
+    out->strain_energy = after_energy(a, factor);
+    TRY(keep_slices(a, factor, out));
+    TRY(ask->fields ? keep_displacement(a, factor, &out->displacement) : OK);
+
+done:
+    free(factor);
+    return st;
+}
+
+// --- estimates
+
+static double distance(int n, const double *a, const double *b)
+{
+    double sum = 0;
+    for (int i = 0; i < n; i++) {
+        sum += (a[i] - b[i]) * (a[i] - b[i]);
+    }
+    return sqrt(sum);
+}
+
+static void load_errors(const segment_load_result *c, double factor, segment_load_result *f)
+{
+    f->shortening_error = factor * fabs(c->shortening - f->shortening);
+    f->tip_displacement_error = factor * distance(3, c->tip_displacement, f->tip_displacement);
+    f->tip_rotation_error = factor * distance(3, c->tip_rotation, f->tip_rotation);
+    f->mid_curvature_error = factor * distance(2, c->mid_curvature, f->mid_curvature);
+    f->strain_energy_error = factor * fabs(c->strain_energy - f->strain_energy);
+}
+
+void after_errors(const segment_result *coarse, double factor, segment_result *fine)
+{
+    const beam_law *old = &coarse->middle;
+    beam_law *law = &fine->middle;
+    fine->relative_error =
+        factor * mat6_relative_error(coarse->tip_compliance, fine->tip_compliance);
+    law->relative_error = factor * mat6_relative_error(old->K, law->K);
+    for (int i = 0; i < 6; i++) {
+        for (int j = 0; j < 6; j++) {
+            law->entry_error.a[i][j] = factor * fabs(old->K.a[i][j] - law->K.a[i][j]) /
+                                       sqrt(law->K.a[i][i] * law->K.a[j][j]);
+        }
+    }
+    fine->stiffness_centre_error =
+        factor * distance(2, coarse->stiffness_centre, fine->stiffness_centre);
+    for (int i = 0; i < fine->nload && i < coarse->nload; i++) {
+        load_errors(&coarse->load[i], factor, &fine->load[i]);
+    }
+}
