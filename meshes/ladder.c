@@ -41,8 +41,9 @@ typedef struct interval {
     double nmiddle; // equal elements between the layers
 } interval;
 
-static interval plan(double from, double to, const double *finest, double target, double growth)
+static interval plan(double from, double to, const double *finest, const ladder_steps *steps)
 {
+    const double target = steps->target, growth = steps->growth;
     interval v = {.from = from, .to = to};
     // layers leave a third to the middle
     const bool both = finest[0] > 0 && finest[1] > 0;
@@ -51,7 +52,8 @@ static interval plan(double from, double to, const double *finest, double target
     v.nlow = layers(finest[0], target, growth, room, v.low, &next[0]);
     v.nhigh = layers(finest[1], target, growth, room, v.high, &next[1]);
     const double below = v.nlow ? v.low[v.nlow - 1] : 0, above = v.nhigh ? v.high[v.nhigh - 1] : 0;
-    v.nmiddle = sizing_parts(to - from - below - above, fmin(target, fmin(next[0], next[1])));
+    v.nmiddle = sizing_parts(to - from - below - above,
+                             fmin(target, steps->stretch * fmin(next[0], next[1])));
     return v;
 }
 
@@ -77,7 +79,7 @@ static void fill(const interval *v, int cell, ladder *l)
     }
 }
 
-status ladder_make(int ncell, const double *at, const double *finest, double target, double growth,
+status ladder_make(int ncell, const double *at, const double *finest, const ladder_steps *steps,
                    ladder *out)
 {
     status st = OK;
@@ -85,7 +87,7 @@ status ladder_make(int ncell, const double *at, const double *finest, double tar
     double total = 0;
 
     for (int c = 0; c < ncell; c++) {
-        const interval v = plan(at[c], at[c + 1], finest + c, target, growth);
+        const interval v = plan(at[c], at[c + 1], finest + c, steps);
         total += v.nlow + v.nmiddle + v.nhigh;
     }
     if (!(total <= SECTION_MOST_ELEMENTS)) {
@@ -95,7 +97,7 @@ status ladder_make(int ncell, const double *at, const double *finest, double tar
     TRY(TAKE(l.edge, (size_t)total + 1));
     TRY(TAKE(l.cell, (size_t)total));
     for (int c = 0; c < ncell; c++) {
-        const interval v = plan(at[c], at[c + 1], finest + c, target, growth);
+        const interval v = plan(at[c], at[c + 1], finest + c, steps);
         fill(&v, c, &l);
     }
     l.edge[l.n] = at[ncell];

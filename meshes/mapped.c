@@ -2,100 +2,10 @@
 #include "meshes/mapped.h"
 
 #include "base/memory.h"
-#include "meshes/ladder.h"
-#include "meshes/sizing.h"
+#include "meshes/grid_ladders.h"
 
 #include <math.h>
 #include <stdlib.h>
-
-// the thinnest interval of the grid, angles as arcs of the outer radius [m]
-static double thinnest_part(const grid *g)
-{
-    double thinnest = INFINITY;
-    for (int d = 0; d < 2; d++) {
-        const double unit = g->polar && d == 1 ? g->at[0][g->n[0]] : 1;
-        for (int i = 0; i < g->n[d]; i++) {
-            // the hole of a ring is no part of it
-            const bool hole = g->polar && d == 0 && g->at[0][i] == 0;
-            thinnest = hole ? thinnest : fmin(thinnest, unit * (g->at[d][i + 1] - g->at[d][i]));
-        }
-    }
-    return thinnest;
-}
-
-// The outermost layer at a corner over the thinnest part of the grid.
-static const double LAST_LAYER = 0.25;
-
-// finest: [n + 1] for either direction, lowered at the breaks that meet in corners [m]
-static void find_corners(const section_outline *o, const grid *g, const mesh_options *options,
-                         double *finest[2])
-{
-    const double part = thinnest_part(g), near = part / 100;
-    for (int j = 0; j <= g->n[1]; j++) {
-        for (int i = 0; i <= g->n[0]; i++) {
-            double x[2];
-            grid_point(g, g->at[0][i], g->at[1][j], x);
-            const corner c = corner_at(o, x[0], x[1], near);
-            const double length =
-                c == CORNER_NONE ? 0 : LAST_LAYER * part * sizing_shrink(options, c);
-            double *at[2] = {&finest[0][i], &finest[1][j]};
-            for (int d = 0; d < 2 && c != CORNER_NONE; d++) {
-                *at[d] = *at[d] > 0 ? fmin(*at[d], length) : length;
-            }
-        }
-    }
-}
-
-// Fields change over a wall's thickness; long thin walls get no more elements than this for it.
-static const double MOST_FOR_THICKNESS = 40;
-
-static void limit_by_thickness(const grid *g, const mesh_options *options, double target[2])
-{
-    const double part = thinnest_part(g) / sizing_finer(options);
-    for (int d = 0; d < 2; d++) {
-        const double extent = g->at[d][g->n[d]] - g->at[d][0];
-        target[d] = fmin(target[d], fmax(part, extent / MOST_FOR_THICKNESS));
-    }
-}
-
-// Element edges in both directions by the target size; angles also by the arc. Without a size asked
-// for, smaller towards corners.
-static status make_ladders(const section_outline *o, const grid *g, const mesh_options *options,
-                           ladder l[2])
-{
-    status st = OK;
-    double *finest[2] = {NULL, NULL};
-    const double size = sizing_length(options, o->size), outer = g->at[0][g->n[0]];
-    double target[2] = {size, size};
-
-    for (int d = 0; d < 2; d++) {
-        TRY(TAKE(finest[d], (size_t)g->n[d] + 1));
-    }
-    if (!(options->size > 0)) {
-        find_corners(o, g, options, finest);
-        limit_by_thickness(g, options, target);
-    }
-    if (g->polar) {
-        // along a ring the field is smooth away from corners: the arc alone decides
-        target[1] =
-            options->size > 0 ? fmin(size / outer, sizing_angle(options)) : sizing_angle(options);
-        for (int j = 0; j <= g->n[1]; j++) {
-            finest[1][j] /= outer;
-        }
-    }
-    for (int d = 0; d < 2; d++) {
-        TRY(ladder_make(g->n[d], g->at[d], finest[d], target[d], sizing_growth(options), &l[d]));
-    }
-    if ((double)l[0].n * l[1].n > SECTION_MOST_ELEMENTS) {
-        TRY(status_fail(ERR_INPUT, "mesh: its size asks for more than %d elements",
-                        SECTION_MOST_ELEMENTS));
-    }
-
-done:
-    free(finest[0]);
-    free(finest[1]);
-    return st;
-}
 
 // The lattice of all nodes: (elements * order + 1) in each direction, the last column of a closed
 // circle being the first.
@@ -196,7 +106,7 @@ status mapped_mesh_make(const section_outline *o, const grid *g, const mesh_opti
     const shape quad = SHAPE_QUAD;
     int nelem = 0, *shapes = NULL;
 
-    TRY(make_ladders(o, g, options, l));
+    TRY(grid_ladders_make(o, g, options, l));
     TRY(element_make(SHAPE_LINE, w.order, &line));
     for (int k = 0; k <= w.order; k++) {
         w.t[k] = (line.line_node[k] + 1) / 2;

@@ -44,6 +44,29 @@ double sizing_shrink(const mesh_options *options, corner c)
     return pow(SIZING_GROWTH, 1 - layers);
 }
 
+// With edge layers, by order. Area inside an arc of order p is off by (8.2): 60 degrees at order 4
+// cost 7e-8, 45 at order 3 3e-6, and fields that go with the cosine of the angle cost less.
+static const double edge_length_part[ELEMENT_MAX_ORDER + 1] = {0, 0.1, 0.25, 0.5, 1.0};
+static const double edge_arc_angle[ELEMENT_MAX_ORDER + 1] = {0, 0.1, 0.35, 0.8, 1.2};
+
+double sizing_edge_first(const mesh_options *options, double section_size, double thinnest)
+{
+    return options->edge_first > 0 ? options->edge_first * section_size
+                                   : thinnest * pow(SIZING_GROWTH, -options->edge_layers);
+}
+
+double sizing_edge_length(const mesh_options *options, double section_size)
+{
+    return options->size > 0
+               ? options->size
+               : edge_length_part[options->order] * section_size / sizing_finer(options);
+}
+
+double sizing_edge_angle(const mesh_options *options)
+{
+    return edge_arc_angle[options->order] / sizing_finer(options);
+}
+
 double sizing_parts(double length, double target)
 {
     return fmax(1, ceil(length / target - ROUNDING));

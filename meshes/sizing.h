@@ -27,6 +27,15 @@ double sizing_angle(const mesh_options *options);
 // takes SIZING_GROWTH.
 double sizing_shrink(const mesh_options *options, corner c);
 
+// By what the elements between edge layers may exceed the next layer's: fields there are smooth.
+#define SIZING_STRETCH 3.0
+
+// With edge layers: length of the smallest elements [m], thinnest the section's thinnest part;
+// largest length [m], and largest angle of an arc [rad].
+double sizing_edge_first(const mesh_options *options, double section_size, double thinnest);
+double sizing_edge_length(const mesh_options *options, double section_size);
+double sizing_edge_angle(const mesh_options *options);
+
 // How many equal parts of at most `target` make up `length`; at least one. Rounding does not add a
 // part.
 double sizing_parts(double length, double target);

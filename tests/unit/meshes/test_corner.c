@@ -46,7 +46,7 @@ static void edges_grow_away_from_the_finest(void)
 {
     const double at[] = {0, 1, 10}, finest[] = {0, 0.01, 0.2};
     ladder l = {0};
-    CHECK_OK(ladder_make(2, at, finest, 2, 5, &l));
+    CHECK_OK(ladder_make(2, at, finest, &(ladder_steps){2, 5, 1}, &l));
     CHECK(l.edge[0] == 0 && l.edge[l.n] == 10);
     int at_break = 0;
     for (int i = 0; i < l.n; i++) {
@@ -66,7 +66,7 @@ static void edges_grow_away_from_the_finest(void)
     ladder_free(&l);
     // nothing asked for: equal parts
     const double none[] = {0, 0, 0};
-    CHECK_OK(ladder_make(2, at, none, 3, 5, &l));
+    CHECK_OK(ladder_make(2, at, none, &(ladder_steps){3, 5, 1}, &l));
     CHECK(l.n == 4 && l.edge[1] == 1 && l.edge[2] == 4 && l.edge[3] == 7);
     ladder_free(&l);
 }
