@@ -12,9 +12,10 @@ void dgemm_(const char *op_a, const char *op_b, const int *m, const int *n, cons
 void dsyrk_(const char *triangle, const char *op, const int *n, const int *k, const double *alpha,
             const double *a, const int *lda, const double *beta, double *c, const int *ldc);
 
-// by rows: C [m][n] = A^T B, A [k][m], B [k][n]
-static inline void blas_product(int m, int n, int k, const double *A, const double *B, double *C)
+// by rows: C [m][n] = A^T B, or C + A^T B; A [k][m], B [k][n]
+static inline void blas_product(int m, int n, int k, const double *A, const double *B, int add,
+                                double *C)
 {
-    const double one = 1, none = 0;
-    dgemm_("N", "T", &n, &m, &k, &one, B, &n, A, &m, &none, C, &n);
+    const double one = 1, before = add ? 1 : 0;
+    dgemm_("N", "T", &n, &m, &k, &one, B, &n, A, &m, &before, C, &n);
 }
