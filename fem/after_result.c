@@ -75,8 +75,8 @@ static status find_factors(const after *a, const after_ask *ask, double *factor)
     }
     for (int i = 0; i < 6; i++) {
         on_tip.spring[i] = ask->tip_spring[i];
-        on_tip.motion[i] = load->tip_motion.nrow > 0 ? load->tip_motion.a[i] : NAN;
     }
+    (void)segment_tip_motion(load, on_tip.motion);
     return after_combine(a, &on_tip, factor);
 }
 
@@ -90,7 +90,8 @@ static void tell_wrench(const after *a, const after_ask *ask, const double *fact
     memcpy(out->point, ask->uniform >= 0 ? a->area_centroid : ask->point, sizeof out->point);
     memcpy(out->force, load->force, sizeof out->force);
     memcpy(out->moment, load->moment, sizeof out->moment);
-    if (load->tip_motion.nrow == 0) {
+    double motion[6];
+    if (!segment_tip_motion(load, motion)) {
         return;
     }
     vec6 w = {0};
