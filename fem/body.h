@@ -17,6 +17,8 @@ typedef struct body_shape {
     // Places of the plane mesh's nodes at arclength s in the base's axes [nnode][3] [m], and there
     // the pose of the section: axes as columns, origin [m]. From several ranks or threads at once.
     status (*place)(const void *self, double s, double *xyz, mat3 *axes, double origin[3]);
+    // The plane mesh's frame `index` at s, in those axes; NULL: as the mesh has it, everywhere.
+    status (*frame)(const void *self, double s, int index, material_frame *out);
 } body_shape;
 
 typedef struct body_spec {
@@ -84,8 +86,9 @@ int body_material(const body *b, int block, int e, int layer);
 // Whether a node belongs to any matter; all of them unless the spec has `matter`.
 bool body_node_is_used(const body *b, int plane_node, int level);
 
-// The section's pose at s, inside a layer whose levels are held: between them axes and origin are
-// interpolated, the axes made orthonormal again. at: the line's reference coordinate.
+// The section's pose inside a layer whose levels are held, at the line's reference coordinate:
+// between the levels axes and origin are interpolated, the axes made orthonormal again. x and y of
+// graded moduli and polar frames are the place along these axes from this origin.
 void body_pose_at(const body *b, int layer, double at, mat3 *axes, double origin[3]);
 
 static inline size_t body_node_count(const body *b)

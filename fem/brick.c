@@ -30,7 +30,6 @@ void brick_free(brick *w)
     for (size_t i = 0; i < sizeof owned / sizeof *owned; i++) {
         free(owned[i]);
     }
-    free(w->section);
     free(w->stiffness);
     free(w->place);
     free(w);
@@ -54,7 +53,6 @@ static status take_room(brick *w)
     const size_t n = n2 * (size_t)(b->order + 1), nq = np * (size_t)b->line_table.npoint;
     TRY(TAKE(w->weight, nq));
     TRY(TAKE(w->slope, 3 * nq * n));
-    TRY(TAKE(w->section, np));
     TRY(TAKE(w->xyz, 3 * n));
     TRY(TAKE(w->grad, 3 * nq * n));
     TRY(TAKE(w->dV, nq));
@@ -108,7 +106,6 @@ status brick_stand_on(brick *w, int block, int e)
     if (!same) {
         TRY(brick_tables(w));
     }
-    brick_stand(w);
 
 done:
     return st;
@@ -121,10 +118,10 @@ status brick_stiffness(brick *w, int layer, double *K)
         memset(K, 0, 9 * (size_t)w->n * (size_t)w->n * sizeof *K);
         return OK;
     }
-    const brick_law law = brick_law_of(w->body, w->block, w->e, material);
-    const bool product = w->body->prism && !w->body->spec.mixed && !material_varies(law.m);
-    return product ? brick_prism_stiffness(w, layer, &law, K)
-                   : brick_full_stiffness(w, layer, &law, K);
+    const bool same_along_s = !material_varies(&w->body->spec.materials[material]);
+    return w->body->prism && !w->body->spec.mixed && same_along_s
+               ? brick_prism_stiffness(w, layer, material, K)
+               : brick_full_stiffness(w, layer, material, K);
 }
 
 // A triangle's points are those of a rule for the squares of its strains

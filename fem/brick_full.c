@@ -6,14 +6,57 @@
 
 #include <math.h>
 #include <string.h>
-// factors of the law at all points
-static status take_grades(brick *w, int layer, const brick_law *law)
+// The law at one height, and the pose there.
+typedef struct height {
+    int layer, k;
+    brick_law law;
+    mat3 axes;
+    double origin[3];
+    bool by_place; // it is not the same all over the section
+} height;
+
+static status height_make(const brick *w, int layer, int material, int k, height *h)
 {
     status st = OK;
-    const double *at = w->body->line_table.point;
-    for (int q = 0; q < w->nq; q++) {
-        const double *x = w->section[q % w->np];
-        TRY(brick_grade(law, x[0], x[1], brick_arclength(w, layer, at[q / w->np]), &w->grade[q]));
+    const double at = w->body->line_table.point[k], s = brick_arclength(w, layer, at);
+    *h = (height){.layer = layer, .k = k};
+    TRY(brick_law_at(w->body, w->block, w->e, material, s, &h->law));
+    body_pose_at(w->body, layer, at, &h->axes, h->origin);
+    h->by_place = h->law.m->modulus.at || brick_law_is_polar(&h->law);
+
+done:
+    return st;
+}
+
+// x, y in the section of a point at this height
+static vec3 section_place(const brick *w, const height *h, int q)
+{
+    vec3 r;
+    for (int d = 0; d < 3; d++) {
+        r.a[d] = w->place[q][d] - h->origin[d];
+    }
+    return mat3_tmul_vec(h->axes, r);
+}
+
+// factors of the law, and of laws that are not isotropic Q in the base's axes with these factors
+static status take_height(brick *w, const height *h)
+{
+    status st = OK;
+    const double s = brick_arclength(w, h->layer, w->body->line_table.point[h->k]);
+    const mat6 turn = material_frame_strain_map(mat3_transpose(h->axes));
+    mat6 Q = {0};
+    for (int i = 0; i < w->np; i++) {
+        const int q = h->k * w->np + i;
+        const vec3 x = h->by_place ? section_place(w, h, q) : (vec3){0};
+        TRY(brick_grade(&h->law, x.a[0], x.a[1], s, &w->grade[q]));
+        if (h->law.isotropic) {
+            continue;
+        }
+        if (i == 0 || brick_law_is_polar(&h->law)) {
+            Q = brick_section_stiffness(&h->law, x.a[0], x.a[1]);
+            Q = w->body->prism ? Q : mat6_symmetric(mat6_congruence(turn, Q));
+        }
+        w->stiffness[q] = mat6_scale(w->grade[q], Q);
     }
 
 done:
@@ -89,27 +132,6 @@ static void isotropic_stiffness(brick *w, const brick_law *law, double *K)
 
 // --- any law
 
-// Q in the base's axes at all points, graded
-static void take_laws(brick *w, int layer, const brick_law *law)
-{
-    const bool polar = law->frame && law->frame->polar;
-    for (int k = 0; k < w->nl; k++) {
-        mat3 axes;
-        double origin[3];
-        body_pose_at(w->body, layer, w->body->line_table.point[k], &axes, origin);
-        const mat6 turn = material_frame_strain_map(mat3_transpose(axes));
-        mat6 Q = {0};
-        for (int i = 0; i < w->np; i++) {
-            const int q = k * w->np + i;
-            if (i == 0 || polar) {
-                Q = brick_section_stiffness(law, w->section[i][0], w->section[i][1]);
-                Q = w->body->prism ? Q : mat6_symmetric(mat6_congruence(turn, Q));
-            }
-            w->stiffness[q] = mat6_scale(w->grade[q], Q);
-        }
-    }
-}
-
 // pairs of directions i <= k
 static const int pair[6][2] = {{0, 0}, {0, 1}, {0, 2}, {1, 1}, {1, 2}, {2, 2}};
 
@@ -155,19 +177,25 @@ static void general_stiffness(brick *w, double *K)
     }
 }
 
-status brick_full_stiffness(brick *w, int layer, const brick_law *law, double *K)
+status brick_full_stiffness(brick *w, int layer, int material, double *K)
 {
     status st = OK;
+    height h = {0};
     TRY(brick_geometry(w, layer));
-    TRY(take_grades(w, layer, law));
+    for (int k = 0; k < w->nl; k++) {
+        TRY(height_make(w, layer, material, k, &h));
+        if (h.by_place) {
+            brick_places(w);
+        }
+        TRY(take_height(w, &h));
+    }
     if (w->body->spec.mixed) {
         TRY(brick_project(w));
     }
-    if (law->isotropic) {
-        isotropic_stiffness(w, law, K);
+    if (h.law.isotropic) {
+        isotropic_stiffness(w, &h.law, K);
         goto done;
     }
-    take_laws(w, layer, law);
     general_stiffness(w, K);
     if (w->body->spec.mixed) {
         brick_add_projection(w, K);

@@ -46,24 +46,6 @@ done:
     return st;
 }
 
-void brick_stand(brick *w)
-{
-    const basis_table *t = &w->body->plane_table[w->block];
-    for (int q = 0; q < w->np; q++) {
-        brick_section_place(w, t->N + q * w->n2, w->section[q]);
-    }
-}
-
-void brick_section_place(const brick *w, const double *N, double x[2])
-{
-    x[0] = x[1] = 0;
-    for (int a = 0; a < w->n2; a++) {
-        const double *from = w->body->plane->xyz + 3 * (size_t)w->conn[a];
-        x[0] += N[a] * from[0];
-        x[1] += N[a] * from[1];
-    }
-}
-
 double brick_arclength(const brick *w, int layer, double at)
 {
     const int p = w->body->order;
@@ -145,8 +127,11 @@ static void take_nodes(brick *w, int layer)
 }
 
 // places by the basis, which the tables have for the plane and the line alone
-static void take_places(brick *w)
+void brick_places(brick *w)
 {
+    if (w->placed) {
+        return;
+    }
     const basis_table *plane = &w->body->plane_table[w->block], *line = &w->body->line_table;
     memset(w->place, 0, (size_t)w->nq * sizeof *w->place);
     for (int q = 0; q < w->nq; q++) {
@@ -158,6 +143,7 @@ static void take_places(brick *w)
             }
         }
     }
+    w->placed = true;
 }
 
 status brick_geometry(brick *w, int layer)
@@ -166,7 +152,7 @@ status brick_geometry(brick *w, int layer)
         return OK;
     }
     w->layer = -1;
-    w->projected = false;
+    w->projected = w->placed = false;
     take_nodes(w, layer);
     for (int q = 0; q < w->nq; q++) {
         const size_t at = 3 * (size_t)q * (size_t)w->n;
@@ -175,9 +161,6 @@ status brick_geometry(brick *w, int layer)
             return inverted(w, layer, det);
         }
         w->dV[q] = det * w->weight[q];
-    }
-    if (w->body->spec.mixed) {
-        take_places(w);
     }
     w->layer = layer;
     return OK;

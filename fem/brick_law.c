@@ -1,19 +1,26 @@
 // fem/brick_law.c
 #include "fem/brick_law.h"
 
-brick_law brick_law_of(const body *b, int block, int e, int index)
+status brick_law_at(const body *b, int block, int e, int index, double s, brick_law *out)
 {
+    status st = OK;
     const mesh_block *k = &b->plane->block[block];
     const material *m = &b->spec.materials[index];
     brick_law law = {.m = m, .isotropic = m->kind == MATERIAL_ISOTROPIC};
-    if (!law.isotropic && k->frame && k->frame[e] >= 0) {
-        law.frame = &b->plane->frame[k->frame[e]];
-    }
     if (law.isotropic) {
         law.mu = material_shear_modulus(m);
         law.lambda = m->E * m->nu / ((1 + m->nu) * (1 - 2 * m->nu));
+    } else if (k->frame && k->frame[e] >= 0) {
+        law.framed = true;
+        law.frame = b->plane->frame[k->frame[e]];
+        if (b->spec.shape.frame) {
+            TRY(b->spec.shape.frame(b->spec.shape.self, s, k->frame[e], &law.frame));
+        }
     }
-    return law;
+    *out = law;
+
+done:
+    return st;
 }
 
 status brick_grade(const brick_law *law, double x, double y, double s, double *grade)
@@ -30,7 +37,7 @@ status brick_grade(const brick_law *law, double x, double y, double s, double *g
 
 mat6 brick_section_stiffness(const brick_law *law, double x, double y)
 {
-    return mat6_symmetric(material_stiffness_in(law->m, law->frame, x, y));
+    return mat6_symmetric(material_stiffness_in(law->m, law->framed ? &law->frame : NULL, x, y));
 }
 
 double brick_modulus_along(const brick_law *law)

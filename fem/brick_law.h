@@ -6,13 +6,19 @@
 
 typedef struct brick_law {
     const material *m;
-    const material_frame *frame; // NULL: the section's own axes
     bool isotropic;
+    bool framed; // else along the section's own axes
+    material_frame frame;
     double lambda, mu; // isotropic, at m->E [Pa]
 } brick_law;
 
-// Of plane element e of a block, of a material that is not -1.
-brick_law brick_law_of(const body *b, int block, int e, int material);
+// Of plane element e of a block at s, of a material that is not -1.
+status brick_law_at(const body *b, int block, int e, int material, double s, brick_law *out);
+
+static inline bool brick_law_is_polar(const brick_law *law)
+{
+    return law->framed && law->frame.polar;
+}
 
 // Factor on Q at (x, y) of the section at s. ERR_INPUT where the modulus there is none.
 status brick_grade(const brick_law *law, double x, double y, double s, double *grade);

@@ -96,6 +96,7 @@ status brick_project(brick *w)
     if (w->projected) {
         return OK;
     }
+    brick_places(w);
     p->to_local = brick_mean_jacobian_inverse(w, &ratio);
     p->by_reference = !(ratio > FLAT_ENOUGH);
     memset(p->centre, 0, sizeof p->centre);

@@ -34,17 +34,17 @@ struct brick {
     element plane; // of the block
     int block, e;  // block -1: none yet
     const int *conn;
-    int n2, n;            // nodes of the plane element, of the whole
-    int np, nl, nq;       // points in the plane, along the layer, in all: q = plane point + np k
-    double *weight;       // [nq] of the reference element
-    double *slope;        // [nq][3][n] reference slopes
-    double (*section)[2]; // [np] place in the section's coordinates [m]
+    int n2, n;      // nodes of the plane element, of the whole
+    int np, nl, nq; // points in the plane, along the layer, in all: q = plane point + np k
+    double *weight; // [nq] of the reference element
+    double *slope;  // [nq][3][n] reference slopes
     // of one layer
     int layer;          // -1: none yet
     double *xyz;        // [n][3]
     double *grad;       // [nq][3][n] slopes in the base's axes
     double *dV;         // [nq]
-    double (*place)[3]; // [nq]; of mixed bodies
+    bool placed;        // `place` is of this layer
+    double (*place)[3]; // [nq]
     double *grade;      // [nq] factor on the law
     mat6 *stiffness;    // [nq] Q
     brick_plane flat;
@@ -54,11 +54,9 @@ struct brick {
 };
 
 status brick_tables(brick *w); // reference tables of the block
-void brick_stand(brick *w);    // its plane element's place in the section
-// Place in the section's coordinates of a point with the plane basis N [m].
-void brick_section_place(const brick *w, const double *N, double x[2]);
-// xyz, grad, dV and place of a layer, once. ERR_NUMERIC where det J <= 0.
+// xyz, grad and dV of a layer, once. ERR_NUMERIC where det J <= 0.
 status brick_geometry(brick *w, int layer);
+void brick_places(brick *w); // place, of the layer at hand
 // The same at a point: N [n] and its slopes [3][n] in the base's axes, det J.
 double brick_point(const brick *w, const double at[3], double *N, double *slope);
 
@@ -66,9 +64,9 @@ double brick_point(const brick *w, const double at[3], double *N, double *slope)
 double brick_arclength(const brick *w, int layer, double at);
 
 // K by plane matrices, of a prism with a law that is the same along s.
-status brick_prism_stiffness(brick *w, int layer, const brick_law *law, double *K);
+status brick_prism_stiffness(brick *w, int layer, int material, double *K);
 // K by quadrature over the whole element.
-status brick_full_stiffness(brick *w, int layer, const brick_law *law, double *K);
+status brick_full_stiffness(brick *w, int layer, int material, double *K);
 
 // Inverse of the mean Jacobian of the layer at hand, *ratio: its determinant over the mean one.
 mat3 brick_mean_jacobian_inverse(const brick *w, double *ratio);

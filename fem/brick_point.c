@@ -66,16 +66,17 @@ static vec6 strain_of(const brick *w, const double *slope, const double *u)
         {H[0][0], H[1][1], H[2][2], H[1][2] + H[2][1], H[0][2] + H[2][0], H[0][1] + H[1][0]}};
 }
 
-static status law_at(const brick *w, int layer, const double at[3], mat6 *Q)
+// Q at a place along the section's axes
+static status stiffness_at(const brick *w, int layer, double at, vec3 x, mat6 *Q)
 {
     status st = OK;
-    double N[ELEMENT_MAX_PLANE_NODES], x[2], grade;
-    const brick_law law =
-        brick_law_of(w->body, w->block, w->e, body_material(w->body, w->block, w->e, layer));
-    element_basis(&w->plane, at, N, NULL);
-    brick_section_place(w, N, x);
-    TRY(brick_grade(&law, x[0], x[1], brick_arclength(w, layer, at[2]), &grade));
-    *Q = mat6_scale(grade, brick_section_stiffness(&law, x[0], x[1]));
+    double grade;
+    brick_law law;
+    const double s = brick_arclength(w, layer, at);
+    const int material = body_material(w->body, w->block, w->e, layer);
+    TRY(brick_law_at(w->body, w->block, w->e, material, s, &law));
+    TRY(brick_grade(&law, x.a[0], x.a[1], s, &grade));
+    *Q = mat6_scale(grade, brick_section_stiffness(&law, x.a[0], x.a[1]));
 
 done:
     return st;
@@ -85,7 +86,8 @@ status brick_stress_at(brick *w, int layer, const double at[3], const double *u,
                        double *stress, double *place)
 {
     status st = OK;
-    double N[BRICK_MAX_NODES], slope[3 * BRICK_MAX_NODES], origin[3], x[3] = {0};
+    double N[BRICK_MAX_NODES], slope[3 * BRICK_MAX_NODES], x[3] = {0};
+    vec3 origin;
     mat3 axes;
     mat6 Q = {0};
 
@@ -103,10 +105,11 @@ status brick_stress_at(brick *w, int layer, const double at[3], const double *u,
             eps.a[i] += more;
         }
     }
-    body_pose_at(w->body, layer, at[2], &axes, origin);
+    body_pose_at(w->body, layer, at[2], &axes, origin.a);
     eps = mat6_mul_vec(material_frame_strain_map(mat3_transpose(axes)), eps);
     if (body_material(w->body, w->block, w->e, layer) >= 0) {
-        TRY(law_at(w, layer, at, &Q));
+        const vec3 r = vec3_sub((vec3){{x[0], x[1], x[2]}}, origin);
+        TRY(stiffness_at(w, layer, at[2], mat3_tmul_vec(axes, r), &Q));
     }
     const vec6 sigma = mat6_mul_vec(Q, eps);
     memcpy(strain, eps.a, sizeof eps.a);

@@ -75,25 +75,37 @@ static void integrate(brick *w, const plane_part *p)
     }
 }
 
-static status make_flat(brick *w, const brick_law *law)
+static void plane_place(const brick *w, int q, double x[2])
+{
+    const double *N = w->body->plane_table[w->block].N + q * w->n2;
+    x[0] = x[1] = 0;
+    for (int a = 0; a < w->n2; a++) {
+        const double *from = w->body->plane->xyz + 3 * (size_t)w->conn[a];
+        x[0] += N[a] * from[0];
+        x[1] += N[a] * from[1];
+    }
+}
+
+static status make_flat(brick *w, int material)
 {
     status st = OK;
+    brick_law law;
+    TRY(brick_law_at(w->body, w->block, w->e, material, 0, &law));
     w->layer = -1; // dV is borrowed
     for (int q = 0; q < w->np; q++) {
-        const double *x = w->section[q], det = plane_slopes(w, q, w->work + 3 * q * w->n2);
-        double grade;
+        const double det = plane_slopes(w, q, w->work + 3 * q * w->n2);
+        double grade, x[2];
+        plane_place(w, q, x);
         if (!(det > 0)) {
             TRY(status_fail(ERR_NUMERIC,
                             "segment: plane element %d at x = %.6g mm, y = %.6g mm is inverted",
                             w->e, 1e3 * x[0], 1e3 * x[1]));
         }
-        TRY(brick_grade(law, x[0], x[1], 0, &grade));
+        TRY(brick_grade(&law, x[0], x[1], 0, &grade));
         w->dV[q] = grade * det * w->body->plane_table[w->block].weight[q];
-        if (q == 0 || (law->frame && law->frame->polar)) {
-            w->stiffness[q] = brick_section_stiffness(law, x[0], x[1]);
-        } else {
-            w->stiffness[q] = w->stiffness[0];
-        }
+        w->stiffness[q] = q == 0 || brick_law_is_polar(&law)
+                              ? brick_section_stiffness(&law, x[0], x[1])
+                              : w->stiffness[0];
     }
     const plane_part parts[] = {
         {0, 2, 0, 2, w->flat.E},
@@ -135,14 +147,13 @@ static line_matrices3 along_layer(const body *b, int layer)
 }
 
 // (5.1)
-status brick_prism_stiffness(brick *w, int layer, const brick_law *law, double *K)
+status brick_prism_stiffness(brick *w, int layer, int material, double *K)
 {
     status st = OK;
     const int n3 = 3 * w->n2, nline = w->body->order + 1;
-    const int material = (int)(law->m - w->body->spec.materials);
     if (w->flat.material != material) {
         w->flat.material = -1;
-        TRY(make_flat(w, law));
+        TRY(make_flat(w, material));
         w->flat.material = material;
     }
     const line_matrices3 m = along_layer(w->body, layer);

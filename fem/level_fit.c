@@ -20,6 +20,7 @@ typedef struct fitter {
     level_weight weight;
     double origin[3];
     double *raw; // [6][nplane][3] int w N (rigid motion)
+    mat3 axes;   // of the section
     mat6 gram;   // int w (rigid motion i) . (rigid motion j)
 } fitter;
 
@@ -39,23 +40,22 @@ static status weigh(const fitter *f, int block, const int *conn, const brick_law
     status st = OK;
     const basis_table *t = &f->body->plane_table[block];
     const double *N = t->N + q * t->nnode, *dN = t->dN + 2 * q * t->nnode;
-    vec3 x = {0}, u = {0}, v = {0}, section = {0};
+    vec3 x = {0}, u = {0}, v = {0};
     double grade = 1;
     for (int a = 0; a < t->nnode; a++) {
-        vec3 node, flat;
+        vec3 node;
         body_node(f->body, conn[a], f->level, node.a);
-        memcpy(flat.a, f->body->plane->xyz + 3 * (size_t)conn[a], sizeof flat.a);
         x = vec3_add_scaled(x, N[a], node);
-        section = vec3_add_scaled(section, N[a], flat);
         u = vec3_add_scaled(u, dN[2 * a], node);
         v = vec3_add_scaled(v, dN[2 * a + 1], node);
     }
+    *r = vec3_sub(x, (vec3){{f->origin[0], f->origin[1], f->origin[2]}});
     if (f->weight == LEVEL_BY_E) {
-        TRY(brick_grade(law, section.a[0], section.a[1], f->body->level[f->level], &grade));
+        const vec3 own = mat3_tmul_vec(f->axes, *r);
+        TRY(brick_grade(law, own.a[0], own.a[1], f->body->level[f->level], &grade));
         grade *= modulus;
     }
     *weight = grade * t->weight[q] * vec3_norm(vec3_cross(u, v));
-    *r = vec3_sub(x, (vec3){{f->origin[0], f->origin[1], f->origin[2]}});
 
 done:
     return st;
@@ -68,10 +68,11 @@ static status add_element(fitter *f, int block, int e)
     const basis_table *t = &f->body->plane_table[block];
     const int *conn = k->conn + (size_t)e * (size_t)k->per_elem;
     const int material = body_material(f->body, block, e, f->layer);
+    brick_law law;
     if (material < 0) {
         return OK;
     }
-    const brick_law law = brick_law_of(f->body, block, e, material);
+    TRY(brick_law_at(f->body, block, e, material, f->body->level[f->level], &law));
     const double modulus = brick_modulus_along(&law);
     for (int q = 0; q < t->npoint; q++) {
         double w;
@@ -122,7 +123,7 @@ static void find_centroid(const fitter *f, level_fit *fit)
     const mat6 *A = &f->gram;
     fit->weight = A->a[0][0];
     const vec3 c = {{A->a[1][5] / fit->weight, A->a[2][3] / fit->weight, A->a[0][4] / fit->weight}};
-    const vec3 own = mat3_tmul_vec(body_axes(f->body, f->level), c);
+    const vec3 own = mat3_tmul_vec(f->axes, c);
     fit->centroid[0] = own.a[0];
     fit->centroid[1] = own.a[1];
 }
@@ -136,6 +137,7 @@ status level_fit_make(const body *b, int level, level_weight weight, level_fit *
                 .layer = level > 0 ? (level - 1) / b->order : 0,
                 .weight = weight};
     body_origin(b, level, f.origin);
+    f.axes = body_axes(b, level);
     TRY(TAKE(f.raw, 18 * (size_t)fit.nplane));
     TRY(TAKE(fit.force, 18 * (size_t)fit.nplane));
     for (int k = 0; k < b->plane->nblock; k++) {
