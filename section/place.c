@@ -210,7 +210,7 @@ status section_place_mesh(const section_case *c, const section_place *p,
         return section_mesh_make(&p->outline, options, out);
     }
     TRY(drawing_mesh(c->drawing, p->slice, options, &m));
-    if (p->turn != 0) {
+    if (p->turn != 0 || field_varies(&c->turn)) {
         TRY(give_frames(&m));
     }
     move_nodes(&m, p->scale, p->turn);

@@ -1,0 +1,247 @@
+#include "section/follow.h"
+
+#include "base/memory.h"
+#include "meshes/morph.h"
+#include "meshes/morph_curves.h"
+#include "meshes/outline_move.h"
+#include "section/reuse.h"
+
+#include <math.h>
+#include <string.h>
+
+// two shapes turn together where their turns agree to this [rad]
+static const double SAME_SPIN = 1e-9;
+// a turn that differs by less from a constant rate's is one [rad]: rounding of the case's
+// arithmetic
+static const double SAME_TURN = 1e-9;
+// places along the rod that are looked at
+enum { SAMPLES = 129 };
+
+struct section_follow {
+    const section_case *c;
+    const mesh *plane;
+    double base, turn, scale; // there
+    section_outline outline;  // there, where outlines are known
+    mesh_morph *morph;        // NULL: the section only turns and scales as a whole
+    bool turns_frames;
+};
+
+void section_follow_free(section_follow *f)
+{
+    if (f) {
+        section_outline_free(&f->outline);
+        mesh_morph_free(f->morph);
+        free(f);
+    }
+}
+
+static bool any_directed(const section_case *c, const material *materials)
+{
+    for (int i = 0; i < c->nmaterial; i++) {
+        if (materials[i].kind != MATERIAL_ISOTROPIC) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static bool only_moves_as_a_whole(const section_case *c)
+{
+    return c->drawing || !shapes_vary((shape_list){c->shapes.count, c->shapes.items});
+}
+
+status section_follow_make(const section_case *c, const material *materials, double base,
+                           const mesh *plane, section_follow **out)
+{
+    status st = OK;
+    section_follow *f = NULL;
+    bool drawn = false;
+    if (section_own_length(c) > 0) {
+        TRY(status_fail(ERR_INPUT, "section: the mesh of one slice of a stack is not another's"));
+    }
+    TRY(TAKE(f, 1));
+    *f = (section_follow){.c = c, .plane = plane, .base = base};
+    f->turn = field_at(&c->turn, base);
+    f->scale = field_at(&c->scale, base);
+    f->turns_frames = plane->nframe > 0 && section_varies(c) && any_directed(c, materials);
+    TRY(section_outline_at(c, base, &f->outline, &drawn));
+    if (!only_moves_as_a_whole(c)) {
+        TRY(mesh_morph_make(&f->outline, base, plane, &f->morph));
+    }
+    *out = f;
+    f = NULL;
+
+done:
+    section_follow_free(f);
+    return st;
+}
+
+// turned and scaled about the origin since the base
+static void move_as_a_whole(const section_follow *f, double s, double *xyz)
+{
+    const double angle = field_at(&f->c->turn, s) - f->turn;
+    const double ratio = field_at(&f->c->scale, s) / f->scale;
+    const double co = ratio * cos(angle), si = ratio * sin(angle);
+    for (int i = 0; i < f->plane->nnode; i++) {
+        const double *from = f->plane->xyz + 3 * (size_t)i;
+        double *to = xyz + 3 * (size_t)i;
+        to[0] = co * from[0] - si * from[1];
+        to[1] = si * from[0] + co * from[1];
+        to[2] = 0;
+    }
+}
+
+status section_follow_nodes(const section_follow *f, double s, double *xyz)
+{
+    status st = OK;
+    section_outline o = {0};
+    bool drawn = false;
+    double turn = 0;
+    TRY(section_outline_at(f->c, s, &o, &drawn)); // it also checks turn and scale
+    if (f->morph) {
+        (void)section_outline_spin(&f->outline, &o, SAME_SPIN, &turn);
+        TRY(mesh_morph_nodes(f->morph, &o, s, turn, xyz));
+    } else {
+        move_as_a_whole(f, s, xyz);
+    }
+
+done:
+    section_outline_free(&o);
+    return st;
+}
+
+// --- directions of materials
+
+bool section_follow_turns_frames(const section_follow *f)
+{
+    return f->turns_frames;
+}
+
+// as shape_frames_to_mesh numbers them
+static status frames_of_shapes(const section_outline *o, int nframe, material_frame *frame)
+{
+    int n = 0;
+    for (int k = 0; k < o->count; k++) {
+        if (o->items[k].has_frame && o->items[k].material >= 0 && n < nframe) {
+            frame[n++] = o->items[k].frame;
+        }
+    }
+    return n == nframe
+               ? OK
+               : status_fail(ERR_BUG, "section: %d directions for %d shapes", nframe, o->count);
+}
+
+status section_follow_frames(const section_follow *f, double s, material_frame *frame)
+{
+    status st = OK;
+    section_outline o = {0};
+    bool drawn = false;
+    const int n = f->plane->nframe;
+    if (!f->c->drawing) {
+        TRY(section_outline_at(f->c, s, &o, &drawn));
+        TRY(frames_of_shapes(&o, n, frame));
+        goto done;
+    }
+    for (int k = 0; k < n; k++) {
+        frame[k] = f->plane->frame[k];
+        material_frame_move(&frame[k], field_at(&f->c->scale, s) / f->scale,
+                            field_at(&f->c->turn, s) - f->turn);
+    }
+
+done:
+    section_outline_free(&o);
+    return st;
+}
+
+// --- how it changes
+
+// how far the curves move from one place to the next, over the size; places that have other curves
+// tell nothing, they are refused where the mesh comes to them
+static status outline_step(const section_outline *a, const section_outline *b, double *step)
+{
+    status st = OK;
+    shape_curves from = {0}, to = {0};
+    double turn = 0, most = 0;
+    (void)section_outline_spin(a, b, SAME_SPIN, &turn);
+    TRY(shape_curves_make(a, 0, &from));
+    TRY(shape_curves_make(b, turn, &to));
+    for (int c = 0; c < from.ncurve && from.ncurve == to.ncurve; c++) {
+        const int n = from.curve[c].n;
+        for (int i = 0; i < 2 * n && n == to.curve[c].n; i++) {
+            double x[2], y[2];
+            shape_curve_point(&from, c, i / 2.0, x);
+            shape_curve_point(&to, c, i / 2.0, y);
+            most = fmax(most, hypot(x[0] - y[0], x[1] - y[1]));
+        }
+    }
+    *step = most / a->size;
+
+done:
+    shape_curves_free(&from);
+    shape_curves_free(&to);
+    return st;
+}
+
+static status place_step(const section_place *a, const section_place *b, double *step)
+{
+    if (a->drawn) {
+        return outline_step(&a->outline, &b->outline, step);
+    }
+    *step = fabs(b->turn - a->turn) + fabs(b->scale / a->scale - 1);
+    return OK;
+}
+
+// the samples' turns since the first; whether each section is the first one turned
+static status sample(const section_case *c, const material *materials, double from, double to,
+                     section_course *course, double turn[SAMPLES])
+{
+    status st = OK;
+    section_store store = {0};
+    section_place first = {0}, last = {0}, next = {0};
+    TRY(section_store_make(c, materials, to, &store));
+    TRY(section_place_at(c, from, to, &first));
+    TRY(section_place_at(c, from, to, &last));
+    course->turns_only = !store.traits.along;
+    for (int i = 1; i < SAMPLES; i++) {
+        section_likeness like = {0};
+        double step = 0;
+        bool alike = false;
+        TRY(section_place_at(c, from + (to - from) * i / (SAMPLES - 1), to, &next));
+        TRY(section_store_alike(&store, &first, &next, &like, &alike));
+        course->turns_only = course->turns_only && alike && like.scale == 1 && !like.mirror;
+        turn[i] = turn[i - 1] + remainder(next.turn - last.turn, 2 * acos(-1));
+        TRY(place_step(&last, &next, &step));
+        course->way += step;
+        section_place_free(&last);
+        last = next;
+        next = (section_place){0};
+    }
+
+done:
+    section_store_free(&store);
+    section_place_free(&first);
+    section_place_free(&last);
+    section_place_free(&next);
+    return st;
+}
+
+status section_course_between(const section_case *c, const material *materials, double from,
+                              double to, section_course *out)
+{
+    status st = OK;
+    double turn[SAMPLES] = {0};
+    section_course course = {.constant = !section_varies(c)};
+    if (!course.constant) {
+        TRY(sample(c, materials, from, to, &course, turn));
+        course.turn_rate = turn[SAMPLES - 1] / (to - from);
+        for (int i = 0; i < SAMPLES; i++) {
+            const double even = turn[SAMPLES - 1] * i / (SAMPLES - 1);
+            course.turns_only = course.turns_only && fabs(turn[i] - even) <= SAME_TURN;
+        }
+        course.turn_rate = course.turns_only ? course.turn_rate : 0;
+    }
+    *out = course;
+
+done:
+    return st;
+}

@@ -1,0 +1,34 @@
+// section/follow.h
+// The section along the rod as one and the same mesh with moved nodes: what a 3D body stands on.
+// docs/theory.md (5.16)
+#pragma once
+
+#include "section/section.h"
+
+typedef struct section_follow section_follow;
+
+// plane: a mesh of the section at arclength `base`, by section_mesh_with. The case and its
+// materials must outlive the result. ERR_INPUT for stacks: their slices are voxels.
+status section_follow_make(const section_case *c, const material *materials, double base,
+                           const mesh *plane, section_follow **out);
+void section_follow_free(section_follow *f); // NULL is nothing
+
+// xyz [nnode][3]: the nodes in the body frame at s, z = 0. ERR_INPUT where the section cannot be
+// followed up to there.
+status section_follow_nodes(const section_follow *f, double s, double *xyz);
+
+// Directions of materials at s in the body frame there, [plane nframe]; they move only where
+// section_follow_turns_frames.
+status section_follow_frames(const section_follow *f, double s, material_frame *frame);
+bool section_follow_turns_frames(const section_follow *f);
+
+// How the section changes between two arclengths.
+typedef struct section_course {
+    bool constant;
+    bool turns_only;  // all of it turns at one constant rate: shapes, and directions of materials
+                      // that have any
+    double turn_rate; // then [rad/m]
+    double way; // how far its parts move in the body frame, over its radius: turns count in radians
+} section_course;
+status section_course_between(const section_case *c, const material *materials, double from,
+                              double to, section_course *out);

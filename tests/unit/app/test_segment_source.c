@@ -1,0 +1,227 @@
+// tests/unit/app/test_segment_source.c
+// Bodies of cases: volumes, interfaces, poses.
+#include "app/segment_source.h"
+#include "section/section.h"
+#include "tests/unit/app/body_volume.h"
+
+#include <string.h>
+#include <unistd.h>
+
+static const double PI = 3.14159265358979323846;
+
+static const char start[] =
+    "format: 1\n"
+    "materials: {soft: {E_MPa: 0.66, nu: 0.3}, stiff: {E_MPa: 15.93, nu: 0.45}}\n"
+    "section:\n";
+static const char annulus[] =
+    "    - {annulus: {outer_radius_mm: 4, inner_radius_mm: 3.2}, material: soft}\n";
+
+typedef struct made {
+    case_data c;
+    segment_source source;
+    mesh plane;
+    body_spec spec;
+    body body;
+} made;
+
+static status read_case(const char *section, const char *rest, case_data *c)
+{
+    char path[] = "/tmp/stiffaxis-test-XXXXXX";
+    const int number = mkstemp(path);
+    FILE *file = number < 0 ? NULL : fdopen(number, "w");
+    CHECK(file != NULL);
+    fprintf(file, "%s%s%s", start, section, rest);
+    CHECK(fclose(file) == 0);
+    status_clear();
+    const status st = case_open(&(case_request){.path = path}, c);
+    (void)unlink(path);
+    return st;
+}
+
+static status make(const char *section, const char *rest, segment_mesh ask, int nlayer, made *m)
+{
+    status st = OK;
+    double layer[401];
+    *m = (made){0};
+    TRY(read_case(section, rest, &m->c));
+    TRY(segment_source_make(&m->c, &m->source));
+    TRY(m->source.plane(m->source.self, &ask, &m->plane));
+    m->spec = (body_spec){.plane = &m->plane,
+                          .materials = m->source.materials,
+                          .order = ask.order,
+                          .nlayer = nlayer,
+                          .layer = layer};
+    for (int i = 0; i <= nlayer; i++) {
+        layer[i] = m->c.file.fem.length * i / nlayer;
+    }
+    if (m->source.fixed_layers) {
+        m->spec.nlayer = m->source.nlayer;
+        m->spec.layer = m->source.layer;
+    }
+    if (m->source.course) {
+        TRY(m->source.course(m->source.self, &m->plane, &m->spec));
+    }
+    TRY(body_make(&m->spec, &m->body));
+
+done:
+    return st;
+}
+
+static void unmake(made *m)
+{
+    body_free(&m->body);
+    if (m->source.release) {
+        m->source.release(m->source.self, &m->spec);
+    }
+    mesh_free(&m->plane);
+    segment_source_free(&m->source);
+    case_free(&m->c);
+}
+
+static const segment_mesh fine = {.order = 4, .size = 0.4e-3};
+
+// the helical prototype: its volume is the tube's, and what is stiff of it the mean width's
+static void the_helical_robot_has_its_volumes(void)
+{
+    made m;
+    char shapes[400];
+    (void)snprintf(shapes, sizeof shapes,
+                   "  shapes:\n%s    - {sector: {outer_radius_mm: 4, inner_radius_mm: 3.2, "
+                   "mid_angle_rad: pi*s/L, width_rad: pi/4 - (pi/8)*(s/L)}, material: stiff}\n",
+                   annulus);
+    CHECK_OK(make(shapes, "fem: {length_mm: 120, loads: []}\n", fine, 40, &m));
+    CHECK(m.spec.shape.place && m.spec.turn_rate == 0 && !m.source.fixed_layers);
+    CHECK_NEAR(m.source.nu, 0.45, 1e-15);
+    // half a turn and a bit for the width, layers no longer than pi/8
+    CHECK(m.source.sections_along >= 8 && m.source.sections_along <= 12);
+    const body_volume v = body_volumes(&m.body);
+    const double ring = 4e-3 * 4e-3 - 3.2e-3 * 3.2e-3, length = 0.12;
+    const double stiff = 3 * PI / 16 / 2 * ring * length, all = PI * ring * length;
+    CHECK_NEAR(v.of[1], stiff, 1e-10);
+    CHECK_NEAR(v.of[0] + v.of[1], all, 1e-10);
+    CHECK(v.smallest > 0.5);
+    unmake(&m);
+}
+
+static void a_constant_turn_is_a_prism_that_turns(void)
+{
+    made m;
+    char shapes[400];
+    (void)snprintf(shapes, sizeof shapes,
+                   "  shapes:\n%s    - {sector: {outer_radius_mm: 4, inner_radius_mm: 3.2, "
+                   "mid_angle_rad: 1 + 2*pi*s/0.03, width_rad: pi/8}, material: stiff}\n",
+                   annulus);
+    CHECK_OK(make(shapes, "fem: {length_mm: 30, loads: []}\n", fine, 20, &m));
+    CHECK(!m.spec.shape.place);
+    CHECK_NEAR(m.spec.turn_rate, 2 * PI / 0.03, 1e-9);
+    CHECK(m.source.sections_along >= 16 && m.source.sections_along <= 17);
+    unmake(&m);
+    // the twist of the rod at rest adds to it
+    CHECK_OK(make(shapes,
+                  "rod: {length_mm: 60, rest: {twist_rad_per_m: -10}}\n"
+                  "fem: {length_mm: 30, section_at_mm: 20, loads: []}\n",
+                  fine, 20, &m));
+    CHECK_NEAR(m.spec.turn_rate, 2 * PI / 0.03 - 10, 1e-9);
+    unmake(&m);
+    // nothing turns in a prism
+    CHECK_OK(make(shapes, "fem: {length_mm: 30, body: prism, loads: []}\n", fine, 20, &m));
+    CHECK(!m.source.course && m.body.prism && m.source.sections_along == 0);
+    unmake(&m);
+}
+
+// the same body by its shape and by its rate: twist that varies by nothing
+static void turning_by_shape_is_turning_by_rate(void)
+{
+    made a, b;
+    const char shapes[] = "  shapes:\n    - {disc: {radius_mm: 4}, material: soft}\n"
+                          "    - {rectangle: {width_mm: 2, height_mm: 1, centre_x_mm: 1}, "
+                          "material: stiff}\n  turn_rad: 100*s\n";
+    const char still[] = "  shapes:\n    - {disc: {radius_mm: 4}, material: soft}\n"
+                         "    - {rectangle: {width_mm: 2, height_mm: 1, centre_x_mm: 1}, "
+                         "material: stiff}\n";
+    const segment_mesh ask = {.order = 2};
+    CHECK_OK(make(shapes, "fem: {length_mm: 30, loads: []}\n", ask, 8, &a));
+    CHECK_NEAR(a.spec.turn_rate, 100, 1e-9);
+    CHECK_OK(make(still,
+                  "rod: {length_mm: 30, rest: {twist_rad_per_m: 100 + 0*s}}\n"
+                  "fem: {length_mm: 30, loads: []}\n",
+                  ask, 8, &b));
+    CHECK(b.spec.shape.place != NULL);
+    double away = 0;
+    for (int level = 0; level < a.body.nlevel && a.plane.nnode == b.plane.nnode; level++) {
+        for (int i = 0; i < a.plane.nnode; i++) {
+            double x[3], y[3];
+            body_node(&a.body, i, level, x);
+            body_node(&b.body, i, level, y);
+            away = fmax(away, hypot(hypot(x[0] - y[0], x[1] - y[1]), x[2] - y[2]));
+        }
+    }
+    CHECK(a.plane.nnode == b.plane.nnode && away < 1e-13 * 4e-3 * 100);
+    unmake(&a);
+    unmake(&b);
+}
+
+// frustums: int pi r^2 = pi L (a^2 + a b + b^2) / 3
+static void a_tapered_tube_has_its_volume(void)
+{
+    made m;
+    CHECK_OK(make("  shapes:\n    - {annulus: {outer_radius_mm: 4 - 0.02*s, inner_radius_mm: 2 - "
+                  "0.01*s}, material: soft}\n",
+                  "fem: {length_mm: 100, section_at_mm: 10, loads: []}\nrod: {length_mm: 110}\n",
+                  fine, 10, &m));
+    const body_volume v = body_volumes(&m.body);
+    const double a = 3.8e-3, b = 1.8e-3, c = 1.9e-3, d = 0.9e-3;
+    CHECK_NEAR(v.of[0], PI * 0.1 / 3 * (a * a + a * b + b * b - c * c - c * d - d * d), 1e-10);
+    unmake(&m);
+}
+
+// Pappus: the area times the way of its centroid, for a quarter ring
+static void a_bent_rod_has_its_volume(void)
+{
+    made m;
+    const char shapes[] = "  shapes:\n    - {rectangle: {width_mm: 3, height_mm: 2, "
+                          "centre_x_mm: 0.5}, material: soft}\n";
+    CHECK_OK(make(shapes,
+                  "rod: {length_mm: 60, rest: {curvature_y_per_m: pi/2/0.03}}\n"
+                  "fem: {length_mm: 30, section_at_mm: 10, loads: []}\n",
+                  fine, 12, &m));
+    const body_volume v = body_volumes(&m.body);
+    const double radius = 0.03 / (PI / 2);
+    // curvature about y bends towards x: the centroid at +x lies inside
+    CHECK_NEAR(v.of[0], 6e-6 * (radius - 0.5e-3) * PI / 2, 1e-10);
+    double tip[3];
+    body_origin(&m.body, m.body.nlevel - 1, tip);
+    CHECK_NEAR(tip[0], radius, 1e-12);
+    CHECK_NEAR(tip[2], radius, 1e-12);
+    CHECK(m.source.sections_along == 4);
+    unmake(&m);
+}
+
+// a jump of the curvature within the segment: an arc after a straight part
+static void a_hook_is_straight_then_round(void)
+{
+    made m;
+    const char shapes[] = "  shapes:\n    - {rectangle: {width_mm: 3, height_mm: 2}, "
+                          "material: soft}\n";
+    CHECK_OK(make(shapes,
+                  "rod: {length_mm: 60, rest: {curvature_x_per_m: \"s < 0.0237 ? 0 : 50\"}}\n"
+                  "fem: {length_mm: 60, loads: []}\n",
+                  fine, 30, &m));
+    double tip[3];
+    body_origin(&m.body, m.body.nlevel - 1, tip);
+    const double bend = 50 * (0.06 - 0.0237);
+    CHECK_NEAR(tip[2], 0.0237 + sin(bend) / 50, 1e-9);
+    CHECK_NEAR(tip[1], -(1 - cos(bend)) / 50, 1e-9);
+    unmake(&m);
+}
+
+int main(void)
+{
+    the_helical_robot_has_its_volumes();
+    a_constant_turn_is_a_prism_that_turns();
+    turning_by_shape_is_turning_by_rate();
+    a_tapered_tube_has_its_volume();
+    a_bent_rod_has_its_volume();
+    a_hook_is_straight_then_round();
+    return test_failures != 0;
+}
