@@ -1,6 +1,7 @@
 // app/cmd_doctor.c
 // stiffaxis doctor: uses every library once on a small problem and tells its version, or why it
 // does not work.
+#include "app/calculix_door.h"
 #include "app/case.h"
 #include "app/chain.h"
 #include "app/document.h"
@@ -22,7 +23,7 @@ enum { MAX_PATH = 4096, MAX_LIBRARIES = 3 };
 typedef struct patient {
     const command *cmd;
     char directory[MAX_PATH];
-    char getdp[64];
+    char outside[80]; // the program that the last step ran
     case_data c;
     run_result r;
 } patient;
@@ -105,7 +106,18 @@ static status try_figures(patient *p)
 
 static status try_getdp(patient *p)
 {
-    return getdp_version(p->getdp, sizeof p->getdp);
+    char version[64];
+    const status st = getdp_version(version, sizeof version);
+    (void)snprintf(p->outside, sizeof p->outside, "GetDP %s", version);
+    return st;
+}
+
+static status try_calculix(patient *p)
+{
+    char version[64];
+    const status st = calculix_version(version, sizeof version);
+    (void)snprintf(p->outside, sizeof p->outside, "CalculiX %s", version);
+    return st;
 }
 
 static const step steps[] = {
@@ -116,6 +128,7 @@ static const step steps[] = {
     {"results", try_store, true, 1, {LIBRARY_HDF5}},
     {"figures", try_figures, true, 1, {LIBRARY_CAIRO}},
     {"torsion by GetDP, for compare", try_getdp, false, 0, {0}},
+    {"3D by CalculiX, for compare", try_calculix, false, 0, {0}},
 };
 
 // "CHOLMOD 3.0.14, OpenBLAS 0.3.21"
@@ -130,7 +143,7 @@ static void name_libraries(const patient *p, const step *one, char *text, size_t
                                  library_name(one->library[i]), version);
     }
     if (one->nlibrary == 0) {
-        (void)snprintf(text, size, "GetDP %s", p->getdp);
+        (void)snprintf(text, size, "%s", p->outside);
     }
 }
 
