@@ -16,7 +16,7 @@ void after_free(after *a)
     *a = (after){0};
 }
 
-vec6 wrench_moved(vec6 wrench, vec3 from, vec3 to)
+vec6 wrench_about(vec6 wrench, vec3 from, vec3 to)
 {
     const vec3 turn = vec3_cross(vec3_sub(from, to), vec6_linear(wrench));
     for (int i = 0; i < 3; i++) {

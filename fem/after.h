@@ -77,7 +77,7 @@ status after_slices(const after *a, const double *factor, const slice_arrays *ou
 double after_balance(const after *a, const vec6 *resultant, const vec6 *load);
 
 // A wrench at one point as seen from another: `from` - `to` is the arm.
-vec6 wrench_moved(vec6 wrench, vec3 from, vec3 to);
+vec6 wrench_about(vec6 wrench, vec3 from, vec3 to);
 
 // --- into a segment_result
 

@@ -84,26 +84,50 @@ done:
     return st;
 }
 
+// what acts on the tip by factors, about the section's origin there; a uniform traction acts at the
+// area's centroid
+static vec6 wrench_on_tip(const after *a, const double *factor)
+{
+    vec6 w;
+    memcpy(w.a, factor, sizeof w.a);
+    for (int j = 0; j < a->problem->nextra; j++) {
+        const load_column *extra = &a->problem->extra[j];
+        const double *f = extra->tip_force, *c = a->area_centroid, by = factor[6 + j];
+        if (extra->uniform_tip) {
+            const vec6 own = {{f[0], f[1], f[2], 0, 0, 0}};
+            w = vec6_add(
+                w, vec6_scale(by, wrench_about(own, (vec3){{c[0], c[1], 0}}, (vec3){{0, 0, 0}})));
+        }
+    }
+    return w;
+}
+
+static vec6 sum_of(const after *a, const double *factor, const vec6 *columns, int slice)
+{
+    vec6 sum = {0};
+    for (int j = 0; j < a->run->ncolumn; j++) {
+        const size_t at = (size_t)j * (size_t)a->run->nlevel + (size_t)slice;
+        sum = vec6_add(sum, vec6_scale(factor[j], columns[at]));
+    }
+    return sum;
+}
+
 status after_slices(const after *a, const double *factor, const slice_arrays *out)
 {
     status st = OK;
     const way_run *run = a->run;
     const after_line line = after_line_of(a);
     const vec3 tip = a->pose[run->nlevel - 1].origin;
-    vec6 *slope = NULL, *along = NULL, wrench;
+    vec6 *slope = NULL, *along = NULL;
     TRY(TAKE(slope, (size_t)run->nlevel));
     TRY(TAKE(along, (size_t)run->nlevel));
     TRY(tangents(a, &line, along));
-    memcpy(wrench.a, factor, sizeof wrench.a);
+    const vec6 on_tip = wrench_on_tip(a, factor);
     for (int i = 0; i < run->nlevel; i++) {
-        out->motion[i] = out->resultant[i] = (vec6){0};
-        for (int j = 0; j < run->ncolumn; j++) {
-            const size_t at = (size_t)j * (size_t)run->nlevel + (size_t)i;
-            out->motion[i] = vec6_add(out->motion[i], vec6_scale(factor[j], run->motion[at]));
-            out->resultant[i] =
-                vec6_add(out->resultant[i], vec6_scale(factor[j], run->resultant[at]));
-        }
-        out->load[i] = wrench_moved(wrench, tip, a->pose[i].origin);
+        out->motion[i] = sum_of(a, factor, run->motion, i);
+        out->resultant[i] = sum_of(a, factor, run->resultant, i);
+        out->load[i] = run->applied ? sum_of(a, factor, run->applied, i)
+                                    : wrench_about(on_tip, tip, a->pose[i].origin);
     }
     TRY(line_slopes(&line, out->motion, slope));
     for (int i = 0; i < run->nlevel; i++) {

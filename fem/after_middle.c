@@ -64,7 +64,7 @@ mat6 after_transport(const section_pose *from, const section_pose *to, double un
         vec6 w = {0};
         w.a[j] = j < 3 ? 1 : unit;
         w = vec6_turned(from->axes, w);
-        w = vec6_turned(mat3_transpose(to->axes), wrench_moved(w, from->origin, to->origin));
+        w = vec6_turned(mat3_transpose(to->axes), wrench_about(w, from->origin, to->origin));
         for (int i = 0; i < 3; i++) {
             T.a[i][j] = w.a[i];
             T.a[3 + i][j] = w.a[3 + i] / unit;

@@ -57,7 +57,7 @@ static vec6 wrench_at_origin(const double *force, const double *moment, const do
     vec6 w;
     memcpy(w.a, force, 3 * sizeof *force);
     memcpy(w.a + 3, moment, 3 * sizeof *moment);
-    return wrench_moved(w, (vec3){{point[0], point[1], 0}}, (vec3){{0, 0, 0}});
+    return wrench_about(w, (vec3){{point[0], point[1], 0}}, (vec3){{0, 0, 0}});
 }
 
 static status find_factors(const after *a, const after_ask *ask, double *factor)
@@ -101,7 +101,7 @@ static void tell_wrench(const after *a, const after_ask *ask, const double *fact
     for (int i = 0; i < 6; i++) {
         w.a[i] += factor[i] + ask->tip_spring[i] * q.a[i];
     }
-    w = wrench_moved(w, (vec3){{0, 0, 0}}, (vec3){{out->point[0], out->point[1], 0}});
+    w = wrench_about(w, (vec3){{0, 0, 0}}, (vec3){{out->point[0], out->point[1], 0}});
     memcpy(out->force, w.a, sizeof out->force);
     memcpy(out->moment, w.a + 3, sizeof out->moment);
 }

@@ -27,9 +27,11 @@ typedef struct way_run {
     double *z;    // [nlevel] s [m], ascending; the first is the base, the last the tip
     vec6 *motion; // [ncolumn][nlevel] E-weighted fits (5.2) [m, rad per N or N m]
     vec6 *resultant; // [ncolumn][nlevel] of the stresses that the part beyond puts on the section
-    mat6 energy;  // (5.5) int eps_i^T Q eps_j over the window for unit wrenches at its centre, in
-                  // the base's axes
-    double *work; // [ncolumn][ncolumn] f_i . u_j: twice the energies [J]
+    vec6 *applied; // [ncolumn][nlevel] of all that acts on the part beyond: loads, springs, holds;
+                   // the section's stresses must balance it. NULL: nothing but what acts on the tip
+    mat6 energy;   // (5.5) int eps_i^T Q eps_j over the window for unit wrenches at its centre, in
+                   // the base's axes
+    double *work;  // [ncolumn][ncolumn] f_i . u_j: twice the energies [J]
     long long dofs;
     double residual;                                        // largest |f - K u| / (|K| |u| + |f|)
     int iterations;                                         // 0: none

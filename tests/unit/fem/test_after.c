@@ -59,7 +59,7 @@ static vec6 turned(mat3 R, vec6 w)
 
 static vec6 wrench_at(double from, vec6 w, double s)
 {
-    return wrench_moved(w, (vec3){{0, 0, from}}, (vec3){{0, 0, s}});
+    return wrench_about(w, (vec3){{0, 0, from}}, (vec3){{0, 0, s}});
 }
 
 // strain in the base's axes for a wrench on the tip
