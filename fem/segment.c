@@ -21,6 +21,7 @@ void segment_result_free(segment_result *r)
     free(r->load);
     mesh_free(&r->plane);
     mesh_free(&r->solid);
+    mesh_free(&r->apart);
     free(r->level);
     *r = (segment_result){0};
 }

@@ -172,9 +172,9 @@ typedef struct segment_load_result {
     double balance;       // largest miss of the resultants, moments over the radius, relative to
                           // the load's largest
     double *displacement; // [solid nnode][3], owned by the result; NULL unless asked for
-    double *stress;       // [solid nnode][6] xx yy zz yz xz xy in the section's axes [Pa], of the
-                          // best points, each material by itself at interfaces (the mean of
-                          // its elements at a node); NULL unless asked for
+    double *stress;       // [levels here][apart nnode][6] xx yy zz yz xz xy in the section's axes
+                          // [Pa], of the best points, mean of a node's elements of one material;
+                          // NULL unless asked for
 } segment_load_result;
 
 typedef struct segment_result {
@@ -203,8 +203,12 @@ typedef struct segment_result {
     double assemble_seconds, factor_seconds, solve_seconds; // CPU time, all rungs
     // where fields were asked for: the body's mesh and which levels this rank has
     mesh plane, solid;
+    mesh apart; // the plane mesh, its nodes apart where materials or their frames meet; nnode 0
+                // without stresses
     double *level;
     int nlevel;
+    int first, last; // levels that solid, displacements and stresses have here: all of them, but
+                     // where ranks share them out
 } segment_result;
 
 // All loads (and six unit wrenches) from one factorization per rung. The caller has resolved where

@@ -37,8 +37,11 @@ typedef struct way_run {
     int iterations;                                         // 0: none
     double assemble_seconds, factor_seconds, solve_seconds; // CPU time of this rank
     double bytes; // largest memory of this rank that the way took, where known
-    // where fields were asked for: this rank's levels of the body
+    // where fields were asked for: levels of the body that this rank has, those of the layer below
+    // its own among them, so that it knows all elements about its own levels
     int first, last;
+    int own_first, own_last; // of those what is this rank's to tell: every level is one rank's;
+                             // both 0: all of them
     double *u; // [ncolumn][last - first][nplane][3] [m]
 } way_run;
 void way_run_free(way_run *run);
