@@ -3,7 +3,6 @@
 
 #include "base/memory.h"
 
-#include <math.h>
 #include <string.h>
 
 void problem_parts_free(problem_parts *p)
@@ -12,7 +11,7 @@ void problem_parts_free(problem_parts *p)
     free(p->hold);
     free(p->pressure);
     free(p->extra);
-    free(p->share);
+    free(p->column);
     *p = (problem_parts){0};
 }
 
@@ -27,11 +26,6 @@ static bool load_has_more(const segment_load *load)
            !is_zero(load->acceleration) || load->holds_move;
 }
 
-static face_part part_of(int face, const double *range)
-{
-    return (face_part){.face = face, .from = range[0], .to = range[1] > 0 ? range[1] : INFINITY};
-}
-
 static status take_supports(const segment_case *c, problem_parts *p)
 {
     status st = OK;
@@ -40,13 +34,10 @@ static status take_supports(const segment_case *c, problem_parts *p)
     TRY(TAKE(p->spring, (size_t)c->springs.count));
     TRY(TAKE(p->hold, (size_t)c->holds.count));
     for (int i = 0; i < c->springs.count; i++) {
-        p->spring[i].on = part_of(spring[i].face, spring[i].range);
-        memcpy(p->spring[i].stiffness, spring[i].stiffness, sizeof p->spring[i].stiffness);
+        p->spring[i] = segment_face_spring(&spring[i]);
     }
     for (int i = 0; i < c->holds.count; i++) {
-        p->hold[i].on = part_of(hold[i].face, hold[i].range);
-        p->hold[i].mask = hold[i].directions;
-        memcpy(p->hold[i].motion, hold[i].motion, sizeof p->hold[i].motion);
+        p->hold[i] = segment_face_hold(&hold[i]);
     }
     p->problem.nspring = c->springs.count;
     p->problem.nhold = c->holds.count;
@@ -75,9 +66,7 @@ static void fill_column(const segment_load *load, face_pressure *to, load_column
     memcpy(column->body_force, load->body_force, sizeof column->body_force);
     memcpy(column->acceleration, load->acceleration, sizeof column->acceleration);
     for (int k = 0; k < load->pressures.count; k++) {
-        to[k].on = part_of(from[k].face, from[k].range);
-        to[k].pressure = from[k].pressure;
-        memcpy(to[k].traction, from[k].traction, sizeof to[k].traction);
+        to[k] = segment_face_pressure(&from[k]);
     }
 }
 
@@ -98,15 +87,15 @@ static status take_columns(const segment_case *c, problem_parts *p)
     int used = 0;
     TRY(TAKE(p->pressure, (size_t)count_pressures(c)));
     TRY(TAKE(p->extra, (size_t)c->loads.count + 3));
-    TRY(TAKE(p->share, (size_t)c->loads.count));
+    TRY(TAKE(p->column, (size_t)c->loads.count));
     p->uniform = -1;
     if (c->tip == TIP_UNIFORM) {
         fill_uniform(p);
     }
     for (int i = 0; i < c->loads.count; i++) {
-        p->share[i] = (load_share){.column = -1, .tip = c->tip != TIP_UNIFORM};
+        p->column[i] = -1;
         if (load_has_more(&loads[i])) {
-            p->share[i].column = 6 + p->problem.nextra;
+            p->column[i] = 6 + p->problem.nextra;
             fill_column(&loads[i], p->pressure + used, &p->extra[p->problem.nextra++]);
             used += loads[i].pressures.count;
         }

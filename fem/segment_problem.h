@@ -4,20 +4,14 @@
 
 #include "fem/segment.h"
 
-// Which columns of the problem make up one load of the case, beside its wrench on the tip.
-typedef struct load_share {
-    int column; // its own, -1: none
-    bool tip;   // its wrench acts through the six unit columns; else through `uniform`
-} load_share;
-
 typedef struct problem_parts {
     segment_problem problem; // body is the caller's to set
     face_spring *spring;
     face_hold *hold;
     face_pressure *pressure; // of all columns, one after another
     load_column *extra;
-    load_share *share; // [loads]
-    int uniform;       // first of three columns of unit forces by uniform traction; -1: none
+    int *column; // [loads] what each load brings along beside its wrench; -1: nothing
+    int uniform; // first of three columns of unit forces by uniform traction; -1: none
 } problem_parts;
 
 // With a uniform tip three columns of unit forces come first, then one per load that brings
