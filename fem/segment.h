@@ -178,8 +178,8 @@ typedef struct segment_load_result {
 } segment_load_result;
 
 typedef struct segment_result {
-    int way;         // segment_way that was taken
-    const char *why; // in words: what the cost model said
+    int way;       // segment_way that was taken
+    char why[200]; // in words: what the cost model said
     long long dofs;
     int rungs; // meshes that were solved
     bool met;  // the tolerance
