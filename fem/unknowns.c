@@ -4,7 +4,6 @@
 #include "base/memory.h"
 
 #include <limits.h>
-#include <math.h>
 #include <string.h>
 
 void unknowns_free(unknowns *u)
@@ -137,9 +136,8 @@ done:
 static void share_rows(unknowns *u)
 {
     const level_share *s = &u->share;
-    const bool has_tip = s->last == u->nlevel && s->first < s->last;
     u->first = s->first < s->last ? u->start[s->first] : u->nblock;
-    u->last = has_tip || s->first >= s->last ? u->nblock : u->start[s->last];
+    u->last = s->last == u->nlevel || s->first == s->last ? u->nblock : u->start[s->last];
 }
 
 status unknowns_make(const segment_problem *p, level_share share, unknowns *out)
@@ -170,129 +168,6 @@ status unknowns_make(const segment_problem *p, level_share share, unknowns *out)
 
 done:
     unknowns_free(&u);
-    return st;
-}
-
-// --- which blocks are coupled
-
-// plane nodes that share an element: neighbours of node i are list[start[i]] .. list[start[i + 1] -
-// 1], i among them
-typedef struct neighbours {
-    int *start, *list;
-} neighbours;
-
-static void neighbours_free(neighbours *n)
-{
-    free(n->start);
-    free(n->list);
-    *n = (neighbours){0};
-}
-
-// elements at each plane node; number counts over the blocks
-static status elements_at_nodes(const mesh *plane, neighbours *out)
-{
-    status st = OK;
-    neighbours n = {0};
-    size_t total = 0;
-    TRY(TAKE(n.start, (size_t)plane->nnode + 2));
-    for (int b = 0; b < plane->nblock; b++) {
-        const size_t count = (size_t)plane->block[b].nelem * (size_t)plane->block[b].per_elem;
-        for (size_t i = 0; i < count; i++) {
-            n.start[plane->block[b].conn[i] + 2]++;
-        }
-        total += count;
-    }
-    for (int i = 0; i < plane->nnode; i++) {
-        n.start[i + 2] += n.start[i + 1];
-    }
-    TRY(TAKE(n.list, total));
-    for (int b = 0, number = 0; b < plane->nblock; b++) {
-        const mesh_block *k = &plane->block[b];
-        for (int e = 0; e < k->nelem; e++, number++) {
-            for (int i = 0; i < k->per_elem; i++) {
-                n.list[n.start[k->conn[(size_t)e * (size_t)k->per_elem + (size_t)i] + 1]++] =
-                    number;
-            }
-        }
-    }
-    *out = n;
-    n = (neighbours){0};
-
-done:
-    neighbours_free(&n);
-    return st;
-}
-
-static const int *element_nodes(const mesh *plane, int number, int *count)
-{
-    const int first = plane->block[0].nelem;
-    const mesh_block *k = &plane->block[number < first ? 0 : 1];
-    *count = k->per_elem;
-    return k->conn + (size_t)(number < first ? number : number - first) * (size_t)k->per_elem;
-}
-
-// after[i]: neighbours j >= i of plane node i; all[i]: all of them
-static status count_neighbours(const mesh *plane, int *after, int *all)
-{
-    status st = OK;
-    neighbours at = {0};
-    int *seen = NULL;
-    TRY(elements_at_nodes(plane, &at));
-    TRY(TAKE(seen, (size_t)plane->nnode));
-    for (int i = 0; i < plane->nnode; i++) {
-        for (int s = at.start[i]; s < at.start[i + 1]; s++) {
-            int count = 0;
-            const int *conn = element_nodes(plane, at.list[s], &count);
-            for (int a = 0; a < count; a++) {
-                if (seen[conn[a]] != i + 1) {
-                    seen[conn[a]] = i + 1;
-                    all[i]++;
-                    after[i] += conn[a] >= i;
-                }
-            }
-        }
-    }
-
-done:
-    neighbours_free(&at);
-    free(seen);
-    return st;
-}
-
-status unknowns_pattern(const unknowns *u, int *own, int *beyond)
-{
-    status st = OK;
-    int *after = NULL, *all = NULL;
-    const int top = u->nlevel - 1, p = u->body->order;
-    const bool has_tip = u->last == u->nblock;
-    TRY(TAKE(after, (size_t)u->nplane));
-    TRY(TAKE(all, (size_t)u->nplane));
-    TRY(count_neighbours(u->body->plane, after, all));
-    for (int level = u->share.first; level < u->share.last; level++) {
-        // the highest level that shares a layer with this one
-        const int reach = level == top ? top : (level / p + 1) * p;
-        const int to_cap = u->cap && reach == top ? 2 : 0;
-        const int highest = to_cap ? top - 1 : reach;
-        const int inside = highest < u->share.last ? highest : u->share.last - 1;
-        for (int i = 0; i < u->nplane; i++) {
-            const int block = unknowns_block(u, i, level);
-            if (block >= 0) {
-                own[block - u->first] =
-                    after[i] + all[i] * (inside - level) + (has_tip ? to_cap : 0);
-                beyond[block - u->first] = all[i] * (highest - inside) + (has_tip ? 0 : to_cap);
-            }
-        }
-    }
-    if (u->cap && has_tip && u->first < u->last) {
-        const int cap = u->cap_block - u->first;
-        own[cap] = 2;
-        own[cap + 1] = 1;
-        beyond[cap] = beyond[cap + 1] = 0;
-    }
-
-done:
-    free(after);
-    free(all);
     return st;
 }
 
@@ -342,6 +217,28 @@ void unknowns_expand(const unknowns *u, int level, const double *blocks, const d
             } else {
                 to[d] = blocks[3 * (size_t)(block - u->start[level]) + (size_t)d];
             }
+        }
+    }
+}
+
+// --- nodal forces -> right-hand side
+
+void unknowns_add_force(const unknowns *u, int plane_node, int level, const double *force,
+                        double *b)
+{
+    if (unknowns_follow_cap(u, level)) {
+        double T[3][6];
+        unknowns_cap_motion(u, plane_node, T);
+        for (int k = 0; k < 6 && unknowns_has_tip(u); k++) {
+            b[3 * (u->cap_block - u->first) + k] +=
+                T[0][k] * force[0] + T[1][k] * force[1] + T[2][k] * force[2];
+        }
+        return;
+    }
+    const int block = unknowns_block(u, plane_node, level);
+    for (int d = 0; block >= u->first && block < u->last && d < 3; d++) {
+        if (!unknowns_is_held(u, plane_node, level, d)) {
+            b[3 * (size_t)(block - u->first) + (size_t)d] += force[d];
         }
     }
 }

@@ -74,6 +74,18 @@ static inline bool unknowns_follow_cap(const unknowns *u, int level)
     return u->cap && level == u->nlevel - 1;
 }
 
+static inline bool unknowns_has_tip(const unknowns *u) // whether its rows are this rank's
+{
+    return u->share.first < u->share.last && u->share.last == u->nlevel;
+}
+
+// Blocks of the next rank to which this one's are coupled: those of the level above.
+static inline int unknowns_above(const unknowns *u)
+{
+    const int level = u->share.last;
+    return level < u->nlevel ? u->start[level + 1] - u->start[level] : 0;
+}
+
 // Motion of a node of the tip by the cap's six unknowns, rows by direction. (5.7)
 void unknowns_cap_motion(const unknowns *u, int plane_node, double T[3][6]);
 
@@ -86,3 +98,8 @@ status unknowns_pattern(const unknowns *u, int *own, int *beyond);
 // `motion` where `moves`, else not at all.
 void unknowns_expand(const unknowns *u, int level, const double *blocks, const double *cap,
                      bool moves, double *displacement);
+
+// Adds a nodal force to this rank's right-hand side [last - first][3]: not to other ranks' rows,
+// nor to directions that are held; the cap gathers its nodes' forces.
+void unknowns_add_force(const unknowns *u, int plane_node, int level, const double *force,
+                        double *b);

@@ -1,0 +1,300 @@
+// fem/level_loads.c
+#include "fem/level_loads.h"
+
+#include "base/beam_law.h"
+#include "base/memory.h"
+#include "fem/brick.h"
+#include "fem/level_fit.h"
+
+#include <string.h>
+
+void level_loads_free(level_loads *l)
+{
+    free(l->force);
+    free(l->on_top);
+    *l = (level_loads){0};
+}
+
+vec6 wrench_moved(vec6 w, const double from[3], const double to[3])
+{
+    const vec3 arm = {{from[0] - to[0], from[1] - to[1], from[2] - to[2]}};
+    const vec3 turn = vec3_cross(arm, vec6_linear(w));
+    for (int i = 0; i < 3; i++) {
+        w.a[3 + i] += turn.a[i];
+    }
+    return w;
+}
+
+static vec6 force_at(const double *f, const double *x)
+{
+    const vec3 m = vec3_cross((vec3){{x[0], x[1], x[2]}}, (vec3){{f[0], f[1], f[2]}});
+    return (vec6){{f[0], f[1], f[2], m.a[0], m.a[1], m.a[2]}};
+}
+
+typedef struct loader {
+    const petsc_door *door;
+    const segment_problem *p;
+    const level_share *s;
+    level_loads out;
+    brick *brick;
+    double *f;    // of one element's nodes
+    double *mass; // the same
+} loader;
+
+static double *level_of(const loader *l, int column, int level)
+{
+    const size_t n = 3 * (size_t)l->p->body->plane->nnode, held = (size_t)(l->s->to - l->s->from);
+    return l->out.force + ((size_t)column * held + (size_t)(level - l->s->from)) * n;
+}
+
+// --- tractions on the end planes
+
+static void add_wrench(const loader *l, const level_fit *fit, int column, int level, vec6 w)
+{
+    const size_t n = 3 * (size_t)fit->nplane;
+    double *to = level_of(l, column, level);
+    for (size_t j = 0; j < 6; j++) {
+        for (size_t i = 0; w.a[j] != 0 && i < n; i++) {
+            to[i] += w.a[j] * fit->force[j * n + i];
+        }
+    }
+}
+
+// a uniform traction acts at the area's centroid
+static vec6 uniform_wrench(const body *b, const level_fit *area, const double *force)
+{
+    const vec3 f = {{force[0], force[1], force[2]}};
+    const vec3 c = mat3_mul_vec(body_axes(b, b->nlevel - 1),
+                                (vec3){{area->centroid[0], area->centroid[1], 0}});
+    const vec3 m = vec3_cross(c, f);
+    return (vec6){{f.a[0], f.a[1], f.a[2], m.a[0], m.a[1], m.a[2]}};
+}
+
+static status load_tip(const loader *l)
+{
+    status st = OK;
+    level_fit by_E = {0}, by_area = {0};
+    const body *b = l->p->body;
+    const int tip = b->nlevel - 1;
+    if (l->p->tip != TIP_RIGID) {
+        TRY(level_fit_make(b, tip, LEVEL_BY_E, &by_E));
+        for (int j = 0; j < 6; j++) {
+            vec6 w = {0};
+            w.a[j] = 1;
+            add_wrench(l, &by_E, j, tip, w);
+        }
+    }
+    for (int j = 0; j < l->p->nextra; j++) {
+        if (l->p->extra[j].uniform_tip) {
+            level_fit_free(&by_area);
+            TRY(level_fit_make(b, tip, LEVEL_BY_AREA, &by_area));
+            add_wrench(l, &by_area, 6 + j, tip,
+                       uniform_wrench(b, &by_area, l->p->extra[j].tip_force));
+        }
+    }
+
+done:
+    level_fit_free(&by_E);
+    level_fit_free(&by_area);
+    return st;
+}
+
+// --- forces per volume
+
+static bool has_volume_load(const load_column *c)
+{
+    bool any = false;
+    for (int d = 0; d < 3; d++) {
+        any = any || c->body_force[d] != 0 || c->acceleration[d] != 0;
+    }
+    return any;
+}
+
+static void add_nodes(loader *l, int column, const int *conn, int n2, int layer)
+{
+    const body *b = l->p->body;
+    const int p = b->order, own = l->s->last_layer - l->s->first_layer;
+    for (int i = 0; i < n2 * (p + 1); i++) {
+        const int level = layer * p + i / n2, node = conn[i % n2];
+        double *to = level_of(l, column, level) + 3 * (size_t)node, x[3];
+        for (int d = 0; d < 3; d++) {
+            to[d] += l->f[3 * i + d];
+        }
+        if (i / n2 == p && layer >= l->s->first_layer) {
+            vec6 *top = &l->out.on_top[column * own + layer - l->s->first_layer];
+            body_node(b, node, level, x);
+            *top = vec6_add(*top, force_at(l->f + 3 * i, x));
+        }
+    }
+}
+
+static status add_brick(loader *l, int block, int e, int layer)
+{
+    status st = OK;
+    const mesh_block *k = &l->p->body->plane->block[block];
+    const int n = k->per_elem * (l->p->body->order + 1);
+    memset(l->mass, 0, (size_t)n * sizeof *l->mass);
+    TRY(brick_mass(l->brick, layer, l->mass));
+    for (int j = 0; j < l->p->nextra; j++) {
+        const load_column *c = &l->p->extra[j];
+        if (!has_volume_load(c)) {
+            continue;
+        }
+        memset(l->f, 0, 3 * (size_t)n * sizeof *l->f);
+        TRY(brick_body_force(l->brick, layer, c->body_force, l->f));
+        for (int i = 0; i < 3 * n; i++) {
+            l->f[i] += l->mass[i / 3] * c->acceleration[i % 3];
+        }
+        add_nodes(l, 6 + j, k->conn + (size_t)e * (size_t)k->per_elem, k->per_elem, layer);
+    }
+
+done:
+    return st;
+}
+
+static status load_volume(loader *l)
+{
+    status st = OK;
+    const body *b = l->p->body;
+    bool any = false;
+    for (int j = 0; j < l->p->nextra; j++) {
+        any = any || has_volume_load(&l->p->extra[j]);
+    }
+    for (int block = 0; any && block < b->plane->nblock; block++) {
+        for (int e = 0; e < b->plane->block[block].nelem; e++) {
+            TRY(brick_stand_on(l->brick, block, e));
+            for (int layer = l->s->from / b->order; layer < l->s->last_layer; layer++) {
+                if (body_material(b, block, e, layer) >= 0) {
+                    TRY(add_brick(l, block, e, layer));
+                }
+            }
+        }
+    }
+
+done:
+    return st;
+}
+
+// --- what balances them where the base is free to contract
+
+// resultants of this rank's own levels about the base's origin; a rigid cap's unit wrenches act at
+// the tip's
+static void sum_forces(const loader *l, double *total)
+{
+    const body *b = l->p->body;
+    for (int j = 0; j < l->out.ncolumn; j++) {
+        vec6 w = {0};
+        for (int level = l->s->first; level < l->s->last; level++) {
+            const double *f = level_of(l, j, level);
+            for (int i = 0; i < b->plane->nnode; i++) {
+                double x[3];
+                body_node(b, i, level, x);
+                w = vec6_add(w, force_at(f + 3 * (size_t)i, x));
+            }
+        }
+        if (j < 6 && l->p->tip == TIP_RIGID && l->s->last == b->nlevel &&
+            l->s->first < l->s->last) {
+            const double zero[3] = {0};
+            double tip[3];
+            vec6 unit = {0};
+            unit.a[j] = 1;
+            body_origin(b, b->nlevel - 1, tip);
+            w = vec6_add(w, wrench_moved(unit, tip, zero));
+        }
+        memcpy(total + 6 * (size_t)j, w.a, sizeof w.a);
+    }
+}
+
+// Sideways forces and torque are answered by an E-proportional traction on the base, the multiplier
+// of "no mean motion". (5.8)
+static status balance_base(const loader *l, const double *total)
+{
+    status st = OK;
+    level_fit by_E = {0};
+    const double zero[3] = {0};
+    double base[3];
+    if (l->s->from > 0) {
+        return OK;
+    }
+    TRY(level_fit_make(l->p->body, 0, LEVEL_BY_E, &by_E));
+    body_origin(l->p->body, 0, base);
+    for (int j = 0; j < l->out.ncolumn; j++) {
+        vec6 w;
+        memcpy(w.a, total + 6 * (size_t)j, sizeof w.a);
+        w = wrench_moved(w, zero, base);
+        const vec6 answer = {{-w.a[NX], -w.a[NY], 0, 0, 0, -w.a[MZ]}};
+        add_wrench(l, &by_E, j, 0, answer);
+    }
+
+done:
+    level_fit_free(&by_E);
+    return st;
+}
+
+// --- the whole
+
+static status load_levels(loader *l)
+{
+    status st = OK;
+    const body *b = l->p->body;
+    const size_t ncolumn = (size_t)l->out.ncolumn, held = (size_t)(l->s->to - l->s->from);
+    TRY(TAKE(l->out.force, ncolumn * held * 3 * (size_t)b->plane->nnode));
+    TRY(TAKE(l->out.on_top, ncolumn * (size_t)(l->s->last_layer - l->s->first_layer)));
+    TRY(TAKE(l->f, BRICK_MAX_DOFS));
+    TRY(TAKE(l->mass, BRICK_MAX_NODES));
+    TRY(brick_make(b, &l->brick));
+    if (l->s->last == b->nlevel && l->s->first < l->s->last) {
+        TRY(load_tip(l));
+    }
+    TRY(load_volume(l));
+
+done:
+    return st;
+}
+
+status level_loads_make(const petsc_door *door, const segment_problem *p, const level_share *s,
+                        level_loads *out)
+{
+    status st = OK;
+    loader l = {.door = door, .p = p, .s = s, .out = {.ncolumn = problem_columns(p)}};
+    double *total = NULL;
+    TRY(door->agree(load_levels(&l)));
+    if (p->base == BASE_FREE_TO_CONTRACT) {
+        const int many = 6 * l.out.ncolumn;
+        TRY(door->agree(TAKE(total, (size_t)many)));
+        sum_forces(&l, total);
+        door->sum(many, total);
+        TRY(door->agree(balance_base(&l, total)));
+    }
+    *out = l.out;
+    l.out = (level_loads){0};
+
+done:
+    free(total);
+    free(l.f);
+    free(l.mass);
+    brick_free(l.brick);
+    level_loads_free(&l.out);
+    return st;
+}
+
+void level_loads_gather(const level_loads *l, const segment_problem *p, const unknowns *u,
+                        double *b)
+{
+    const level_share *s = &u->share;
+    const size_t held = (size_t)(s->to - s->from), rows = 3 * (size_t)(u->last - u->first);
+    memset(b, 0, (size_t)l->ncolumn * rows * sizeof *b);
+    for (int j = 0; j < l->ncolumn; j++) {
+        double *to = b + (size_t)j * rows;
+        for (int level = s->first; level < s->last; level++) {
+            const double *f =
+                l->force + ((size_t)j * held + (size_t)(level - s->from)) * 3 * (size_t)u->nplane;
+            for (int i = 0; i < u->nplane; i++) {
+                unknowns_add_force(u, i, level, f + 3 * (size_t)i, to);
+            }
+        }
+        if (j < 6 && p->tip == TIP_RIGID && unknowns_has_tip(u)) {
+            to[3 * (u->cap_block - u->first) + j] += j < 3 ? 1 : 1 / u->radius;
+        }
+    }
+}
