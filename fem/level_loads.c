@@ -12,6 +12,7 @@ void level_loads_free(level_loads *l)
 {
     free(l->force);
     free(l->on_top);
+    free(l->on_base);
     *l = (level_loads){0};
 }
 
@@ -120,11 +121,13 @@ static void add_nodes(loader *l, int column, const int *conn, int n2, int layer)
         for (int d = 0; d < 3; d++) {
             to[d] += l->f[3 * i + d];
         }
-        if (i / n2 == p && layer >= l->s->first_layer) {
-            vec6 *top = &l->out.on_top[column * own + layer - l->s->first_layer];
-            body_node(b, node, level, x);
-            *top = vec6_add(*top, force_at(l->f + 3 * i, x));
+        if (layer < l->s->first_layer || (i / n2 != p && level != 0)) {
+            continue;
         }
+        vec6 *end = level == 0 ? &l->out.on_base[column]
+                               : &l->out.on_top[column * own + layer - l->s->first_layer];
+        body_node(b, node, level, x);
+        *end = vec6_add(*end, force_at(l->f + 3 * i, x));
     }
 }
 
@@ -240,6 +243,7 @@ static status load_levels(loader *l)
     const size_t ncolumn = (size_t)l->out.ncolumn, held = (size_t)(l->s->to - l->s->from);
     TRY(TAKE(l->out.force, ncolumn * held * 3 * (size_t)b->plane->nnode));
     TRY(TAKE(l->out.on_top, ncolumn * (size_t)(l->s->last_layer - l->s->first_layer)));
+    TRY(TAKE(l->out.on_base, ncolumn));
     TRY(TAKE(l->f, BRICK_MAX_DOFS));
     TRY(TAKE(l->mass, BRICK_MAX_NODES));
     TRY(brick_make(b, &l->brick));

@@ -14,6 +14,7 @@ typedef struct level_loads {
     // Resultants, about the base's origin, of what the layer's own distributed loads put on the
     // nodes of its upper level: [ncolumn][last_layer - first_layer]
     vec6 *on_top;
+    vec6 *on_base; // [ncolumn] of the first layer's on the base's nodes, where it is this rank's
 } level_loads;
 
 // (all) Needs the door for the balance of a base that is free to contract.
