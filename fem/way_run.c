@@ -12,6 +12,7 @@ void way_run_free(way_run *run)
     free(run->z);
     free(run->motion);
     free(run->resultant);
+    free(run->applied);
     free(run->work);
     free(run->u);
     *run = (way_run){0};
