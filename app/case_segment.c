@@ -3,10 +3,10 @@
 
 #include "fem/segment_material.h"
 
-static bool accelerates(const segment_case *fem)
+bool case_segment_accelerates(const case_data *c)
 {
-    const segment_load *loads = fem->loads.items;
-    for (int i = 0; i < fem->loads.count; i++) {
+    const segment_load *loads = c->file.fem.loads.items;
+    for (int i = 0; i < c->file.fem.loads.count; i++) {
         const double *a = loads[i].acceleration;
         if (a[0] != 0 || a[1] != 0 || a[2] != 0) {
             return true;
@@ -15,14 +15,18 @@ static bool accelerates(const segment_case *fem)
     return false;
 }
 
+status case_density_missing(const case_data *c, const material *m, const char *why)
+{
+    return config_fail(c->config, m->at, "'%s' needs its `density_kg_per_m3`: %s", m->name, why);
+}
+
 status case_check_densities(const case_data *c, const char *why)
 {
     const shape_spec *shapes = c->file.section.shapes.items;
     for (int i = 0; !c->file.section.drawing && i < c->file.section.shapes.count; i++) {
         const int k = shapes[i].material_index;
         if (k >= 0 && !(c->materials[k].density > 0)) {
-            return config_fail(c->config, c->materials[k].at,
-                               "'%s' needs its `density_kg_per_m3`: %s", c->materials[k].name, why);
+            return case_density_missing(c, &c->materials[k], why);
         }
     }
     return OK;
@@ -75,8 +79,8 @@ status case_segment_check(const case_data *c)
     st = segment_case_check(fem, &where);
     TRY(case_place(c, st, where));
     TRY(check_materials(c));
-    if (accelerates(fem)) {
-        TRY(case_check_densities(c, "a load of the segment accelerates it"));
+    if (case_segment_accelerates(c)) {
+        TRY(case_check_densities(c, CASE_SEGMENT_ACCELERATES));
     }
     TRY(check_reach(c));
 

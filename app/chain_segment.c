@@ -1,9 +1,10 @@
 // app/chain_segment.c
-// The 3D segment: the section's outline at one place, meshed, extruded, solved.
+// The 3D segment: meshes of the section and the body on one, loads, solved.
+#include "app/case_segment.h"
 #include "app/chain.h"
+#include "app/segment_points.h"
+#include "app/segment_source.h"
 #include "base/memory.h"
-
-#include <string.h>
 
 status chain_plane_mesh(const case_data *c, double s, int order, double size, mesh *out)
 {
@@ -18,64 +19,36 @@ done:
     return st;
 }
 
-// where each load acts: at the geometric centre, at a point of the case, or at the section's own
-// stiffness centre
-static status resolve_points(const case_data *c, const mesh *plane, double (*point)[2])
+// pictures need the solid; a driver that has none made an extrusion's levels
+static status take_meshes(const segment_case *chosen, run_result *out)
 {
     status st = OK;
-    const segment_load *loads = c->file.fem.loads.items;
-    beam_law law = {0};
-    beam_centres centres = {0};
-    bool solved = false;
-    for (int i = 0; i < c->file.fem.loads.count; i++) {
-        if (loads[i].at_kind == 1 && !solved) {
-            TRY(section_full_mesh(plane, c->materials, &law, NULL));
-            TRY(beam_law_centres(&law, &centres));
-            solved = true;
-        }
-        if (loads[i].at_kind == 1) {
-            memcpy(point[i], centres.stiffness_centre, sizeof point[i]);
-        } else if (loads[i].point.nrow > 0) {
-            memcpy(point[i], loads[i].point.a, sizeof point[i]);
-        }
+    segment_result *r = &out->segment;
+    const extrude_options options = {
+        .length = chosen->length, .layers = chosen->layers, .grading = chosen->grading};
+    if (r->solid.nnode == 0 && r->plane.nnode > 0) {
+        TRY(mesh_extrude(&r->plane, &options, &r->solid, NULL));
+    }
+    out->segment_plane = r->plane;
+    out->segment_mesh = r->solid;
+    r->plane = r->solid = (mesh){0};
+
+done:
+    return st;
+}
+
+// of a drawing the materials are known with its mesh
+static status check_drawing(const case_data *c)
+{
+    status st = OK;
+    mesh m = {0};
+    if (c->file.section.drawing && case_segment_accelerates(c)) {
+        TRY(chain_plane_mesh(c, c->file.fem.section_at, 0, 0, &m));
+        TRY(segment_check_densities(c, &m));
     }
 
 done:
-    return st;
-}
-
-typedef struct source_data {
-    const case_data *c;
-} source_data;
-
-static status source_plane(void *self, const segment_mesh *ask, mesh *out)
-{
-    const case_data *c = ((const source_data *)self)->c;
-    return chain_plane_mesh(c, c->file.fem.section_at, ask->order, ask->size, out);
-}
-
-static status extrude(const segment_case *sc, const segment_result *r, run_result *out)
-{
-    status st = OK;
-    const extrude_options options = {
-        .length = sc->length, .layers = sc->layers, .grading = sc->grading};
-    TRY(mesh_copy(&r->plane, &out->segment_plane));
-    TRY(mesh_extrude(&out->segment_plane, &options, &out->segment_mesh, NULL));
-
-done:
-    return st;
-}
-
-// the load points need a plane mesh before the segment is solved
-static status load_points(const case_data *c, const segment_case *sc, double (*point)[2])
-{
-    status st = OK;
-    mesh plane = {0};
-    TRY(chain_plane_mesh(c, sc->section_at, sc->order, sc->size, &plane));
-    TRY(resolve_points(c, &plane, point));
-
-done:
-    mesh_free(&plane);
+    mesh_free(&m);
     return st;
 }
 
@@ -84,16 +57,15 @@ status chain_segment(const case_data *c, bool displacements, run_result *out)
     status st = OK;
     const segment_case *sc = &c->file.fem;
     double(*point)[2] = NULL;
-    source_data self = {c};
-    segment_source source = {.self = &self, .plane = source_plane, .materials = c->materials};
-    st = section_reach_at(&c->file.section, sc->section_at, &source.radius);
-    TRY(case_place(c, st, c->file.section.at));
+    segment_source source = {0};
+    TRY(check_drawing(c));
+    TRY(segment_source_make(c, &source));
     TRY(TAKE(point, (size_t)sc->loads.count));
-    const segment_case chosen = segment_choose(sc, source.radius);
-    TRY(load_points(c, &chosen, point));
+    TRY(segment_points(c, point));
     st = segment_solve(sc, &source, (const double(*)[2])point, displacements, &out->segment);
     TRY(case_place(c, st, sc->at));
-    TRY(extrude(&chosen, &out->segment, out));
+    const segment_case chosen = segment_choose(sc, source.radius);
+    TRY(take_meshes(&chosen, out));
     out->has_segment = true;
     out->segment_length = sc->length;
     out->segment_section_at = sc->section_at;
@@ -102,5 +74,6 @@ status chain_segment(const case_data *c, bool displacements, run_result *out)
 
 done:
     free(point);
+    segment_source_free(&source);
     return st;
 }

@@ -3,6 +3,7 @@
 
 #include "app/chain.h"
 #include "app/compare_rows.h"
+#include "app/segment_points.h"
 #include "base/memory.h"
 
 #include <math.h>
@@ -22,34 +23,6 @@ static double modulus_contrast(const case_data *c, const mesh *m)
     return most / least;
 }
 
-static bool isotropic_and_uniform(const case_data *c, const mesh *m)
-{
-    for (int b = 0; b < m->nblock; b++) {
-        for (int e = 0; e < m->block[b].nelem; e++) {
-            const material *one = &c->materials[m->block[b].material[e]];
-            if (one->kind != MATERIAL_ISOTROPIC || one->modulus.at) {
-                return false;
-            }
-        }
-    }
-    return true;
-}
-
-static bool one_poisson_ratio(const case_data *c, const mesh *m)
-{
-    double nu = NAN;
-    for (int b = 0; b < m->nblock; b++) {
-        for (int e = 0; e < m->block[b].nelem; e++) {
-            const double other = c->materials[m->block[b].material[e]].nu;
-            if (!isnan(nu) && nu != other) {
-                return false;
-            }
-            nu = other;
-        }
-    }
-    return true;
-}
-
 static status prepare_section(const case_data *c, compare_section *out)
 {
     status st = OK;
@@ -59,8 +32,8 @@ static status prepare_section(const case_data *c, compare_section *out)
         const double *x = out->mesh.xyz + 3 * (size_t)i;
         out->radius = fmax(out->radius, hypot(x[0], x[1]));
     }
-    out->one_poisson = one_poisson_ratio(c, &out->mesh);
-    out->isotropic = isotropic_and_uniform(c, &out->mesh);
+    out->one_poisson = segment_has_one_poisson(c->materials, &out->mesh);
+    out->isotropic = segment_is_isotropic(c->materials, &out->mesh);
     out->contrast = modulus_contrast(c, &out->mesh);
     // the full model, whatever the case's is, as the other ways have it: nothing turns
     section_case full = c->file.section;
