@@ -66,6 +66,8 @@ status compare_all(const command *cmd, const case_data *c, run_result *r)
         TRY(compare_frames(c, r));
     }
     if (r->has_segment) {
+        command_progress(cmd, "comparison: models of the section");
+        TRY(compare_models(c, &section, r));
         TRY(compare_rod_segment(c, &section, r));
         TRY(compare_loads(c, &section, r));
     }

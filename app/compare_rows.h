@@ -57,4 +57,5 @@ status compare_published(const case_data *c, const compare_section *section, run
 status compare_section_segment(const case_data *c, const compare_section *section, run_result *r);
 status compare_frames(const case_data *c, run_result *r);
 status compare_rod_segment(const case_data *c, const compare_section *section, run_result *r);
+status compare_models(const case_data *c, const compare_section *section, run_result *r);
 status compare_loads(const case_data *c, const compare_section *section, run_result *r);

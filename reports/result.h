@@ -30,6 +30,28 @@ typedef struct compare_row {
     bool ok;
 } compare_row;
 
+// An assumption about the section, held against the 3D segment: what a straight rod of such
+// sections misses. Differences are relative to the 3D value's sqrt(C_ii C_jj).
+enum { MODEL_CHECKS = 3 };
+typedef struct model_check {
+    char name[48];    // "full, knows its turning"
+    char why[160];    // no such law; "" where there is one
+    mat6 compliance;  // of the tip, as segment.tip_compliance
+    double error;     // the largest of all entries
+    int row, column;  // where
+    double law_error; // the same of `law_difference`, over stretch, bending and twist; NAN: unknown
+    int law_row, law_column;
+} model_check;
+
+typedef struct model_checks {
+    bool there;
+    char why_no_second[160]; // why no second length tells the ends from the law; "" where one does
+    double lengths[2];       // of the segment, and the second one [m]
+    mat6 law_difference; // 3D: (C(second) - C(first)) / (second - first), which no end enters; the
+                         // entries of n_x and n_y, which ends do enter, are NAN
+    model_check model[MODEL_CHECKS];
+} model_checks;
+
 enum { RESULT_MAX_TENDONS = 256, RESULT_MAX_LOADS = 256, RESULT_NAME = 64 };
 
 // How the tip moves with what acts on the rod: columns are body twists of the tip (linear part
@@ -137,6 +159,7 @@ typedef struct run_result {
 
     int ncompare;
     compare_row *compare;
+    model_checks models;
 
     char **load_name; // [segment.nload], owned, where a store was read; NULL where the case owns
                       // the loads' names

@@ -225,3 +225,7 @@ status rod_derive_design(rod_state *state, const rod *plus, const rod *minus, do
 // panel of the law.
 //   C = int_0^L P^T K^-1 P ds, P = [I, 0; hat((L - s) e_z), I]     docs/theory.md (4.10)
 status rod_linear_compliance(const law_along *law, double length, int ngauss, mat6 *out);
+
+// The same of the part between two arclengths, clamped at the first.
+status rod_linear_compliance_between(const law_along *law, double from, double to, int ngauss,
+                                     mat6 *out);
