@@ -130,24 +130,6 @@ static const char *why_not(const case_data *c)
 
 // --- rows
 
-static const char *const axis[6] = {"nx", "ny", "nz", "mx", "my", "mz"};
-
-// told, not judged: a model may be as wrong as it is
-static void tell(const model_check *m, run_result *r)
-{
-    compare_row *row = compare_add(r, "-", "tip compliance by %s", m->name);
-    if (m->why[0]) {
-        compare_skip(row, "%s", m->why);
-    } else if (isnan(m->law_error)) {
-        compare_skip(row, "%.2g off 3D at (%s, %s), ends and all", m->error, axis[m->row],
-                     axis[m->column]);
-    } else {
-        compare_skip(row, "%.2g off 3D at (%s, %s), ends and all; its law alone %.2g at (%s, %s)",
-                     m->error, axis[m->row], axis[m->column], m->law_error, axis[m->law_row],
-                     axis[m->law_column]);
-    }
-}
-
 // the law that knows everything against two lengths of 3D: nothing but meshes is left
 static void judge_law(const compare_section *section, const model_checks *checks, run_result *r)
 {
@@ -168,7 +150,7 @@ static void judge_law(const compare_section *section, const model_checks *checks
 }
 
 static void check_model(const beam_models *models, int i, const model_checks *checks,
-                        const mat6 *fem, model_check *out)
+                        model_check *out)
 {
     mat6 longer;
     (void)snprintf(out->name, sizeof out->name, "%s", beam_model_name(i));
@@ -182,7 +164,8 @@ static void check_model(const beam_models *models, int i, const model_checks *ch
         status_clear();
         return;
     }
-    out->error = largest_miss(&out->compliance, fem, false, &out->row, &out->column);
+    out->error =
+        largest_miss(&out->compliance, &checks->compliance, false, &out->row, &out->column);
     if (checks->lengths[1] > 0 &&
         beam_models_compliance(models, i, checks->lengths[1], &longer) == OK) {
         const mat6 F = per_length(longer, out->compliance, checks->lengths[1] - checks->lengths[0]);
@@ -204,6 +187,7 @@ status compare_models(const case_data *c, const compare_section *section, run_re
         return OK;
     }
     checks->lengths[0] = c->file.fem.length;
+    checks->compliance = r->segment.tip_compliance;
     checks->lengths[1] = second_length(c, section, checks);
     TRY(beam_models_make(c, fmax(checks->lengths[0], checks->lengths[1]), &models));
     if (checks->lengths[1] > 0) {
@@ -212,8 +196,7 @@ status compare_models(const case_data *c, const compare_section *section, run_re
             per_length(longer, r->segment.tip_compliance, checks->lengths[1] - checks->lengths[0]);
     }
     for (int i = 0; i < BEAM_MODELS; i++) {
-        check_model(&models, i, checks, &r->segment.tip_compliance, &checks->model[i]);
-        tell(&checks->model[i], r);
+        check_model(&models, i, checks, &checks->model[i]);
     }
     judge_law(section, checks, r);
     checks->there = true;

@@ -142,4 +142,5 @@ void print_compare(const run_result *r)
             printf("  %.1e  %s\n", row->tolerance, row->reason);
         }
     }
+    print_models(r);
 }

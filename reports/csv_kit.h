@@ -26,3 +26,6 @@ void csv_add_strains(csv_header *h, const run_result *r);
 void csv_strains(csv *c, const run_result *r, const struct rod_run *run);
 status csv_kern(const run_result *r, const char *dir);
 status csv_stresses(const run_result *r, const char *dir);
+
+// reports/csv_models.c: models.csv, a row per entry of the tip's compliance.
+status csv_models(const model_checks *m, const char *dir);

@@ -116,6 +116,7 @@ status report_page(const run_result *r, const char *dir)
     TRY(page_rod(page, r, dir));
     TRY(page_segment(page, r, dir));
     TRY(page_compare(page, r));
+    TRY(page_models(page, r));
     TRY(page_assumptions(page, r));
     TRY(page_origin(page, r));
     PAGE("</main>\n<footer><div>Written by stiffaxis %s. Numbers in full precision stand in the "

@@ -26,6 +26,8 @@ status page_answers(bytes *page, const run_result *r, const char *dir); // of th
 status page_strains(bytes *page, const run_result *r);                  // of the rod
 status page_segment(bytes *page, const run_result *r, const char *dir);
 status page_compare(bytes *page, const run_result *r);
+status page_models(bytes *page,
+                   const run_result *r); // reports/page_models.c, below the comparisons
 status page_assumptions(bytes *page, const run_result *r);
 status page_origin(bytes *page, const run_result *r);
 

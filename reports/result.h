@@ -46,7 +46,8 @@ typedef struct model_check {
 typedef struct model_checks {
     bool there;
     char why_no_second[160]; // why no second length tells the ends from the law; "" where one does
-    double lengths[2];       // of the segment, and the second one [m]
+    double lengths[2];       // of the segment, and the second one; 0: none [m]
+    mat6 compliance;         // 3D, of the first
     mat6 law_difference; // 3D: (C(second) - C(first)) / (second - first), which no end enters; the
                          // entries of n_x and n_y, which ends do enter, are NAN
     model_check model[MODEL_CHECKS];
@@ -182,8 +183,11 @@ status result_json_segment(json *j, const char *key, const run_result *r);
 status result_json_compare(json *j, const char *key, const run_result *r);
 status result_json_run(json *j, const run_result *r);
 
-// reports/result_csv.c: sections.csv, rods.csv (tips), shapes.csv, segment.csv, compare.csv into
-// the directory `dir`.
+// "models": what assumptions about the section cost; inside the comparison's document.
+void result_json_models(json *j, const char *key, const model_checks *m);
+
+// reports/result_csv.c: sections.csv, rods.csv (tips), shapes.csv, segment.csv, compare.csv and
+// models.csv into the directory `dir`.
 status result_csv(const run_result *r, const char *dir);
 
 // reports/result_store.c: one HDF5 file (io/store.h) with everything above, and at /VTKHDF the

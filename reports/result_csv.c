@@ -218,6 +218,7 @@ status result_csv(const run_result *r, const char *dir)
     TRY(r->has_rod ? write_shapes(r, dir) : OK);
     TRY(r->has_segment ? write_segment(r, dir) : OK);
     TRY(r->has_compare ? write_compare(r, dir) : OK);
+    TRY(r->models.there ? csv_models(&r->models, dir) : OK);
 
 done:
     return st;

@@ -127,6 +127,9 @@ status result_json_compare(json *j, const char *key, const run_result *r)
         ok = ok && (r->compare[i].ok || r->compare[i].skipped);
     }
     json_array_end(j);
+    if (r->models.there) {
+        result_json_models(j, "models", &r->models);
+    }
     json_flag(j, "ok", ok);
     json_object_end(j);
     return OK;

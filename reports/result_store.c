@@ -118,6 +118,7 @@ static status pass_all(const passage *p, run_result *r)
     TRY(r->has_rod ? store_pass_rod(p, r) : OK);
     TRY(r->has_segment ? store_pass_segment(p, r) : OK);
     TRY(r->has_compare ? pass_compare(p, r) : OK);
+    TRY(r->has_compare ? store_pass_models(p, r) : OK);
 
 done:
     return st;

@@ -42,6 +42,7 @@ status store_pass_answers(const passage *p, run_result *r); // after the section
 status store_pass_strains(const passage *p, run_result *r); // after the rod
 status store_pass_rod(const passage *p, run_result *r);
 status store_pass_segment(const passage *p, run_result *r);
+status store_pass_models(const passage *p, run_result *r); // with the comparisons
 
 // The solved sections' laws by fingerprint.
 status store_write_known(store *s, const char *path, const section_known *known);
