@@ -12,4 +12,4 @@ void segment_source_free(segment_source *source);
 
 // Whether the case keeps the section of the base though it changes along the rod, or though the rod
 // is bent or twisted at rest; for a warning.
-status segment_source_keeps_prism(const case_data *c, bool *keeps);
+bool segment_source_keeps_prism(const case_data *c);

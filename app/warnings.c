@@ -2,6 +2,7 @@
 #include "app/warnings.h"
 
 #include "app/chain.h"
+#include "app/segment_source.h"
 
 #include <math.h>
 #include <stdarg.h>
@@ -129,6 +130,12 @@ status warn_segment(const command *cmd, const case_data *c)
 {
     const segment_case *sc = &c->file.fem;
     double reach = 0;
+    if (segment_source_keeps_prism(c)) {
+        warn_at(cmd, c, sc->at,
+                "`body: prism` keeps the section of s = %.6g mm, though section or rest shape "
+                "change along the rod",
+                1e3 * sc->section_at);
+    }
     const status st = section_reach(c, sc->section_at, &reach);
     if (st == OK && sc->length < SHORTEST_FREE_MIDDLE * reach) {
         warn_at(cmd, c, sc->at,

@@ -133,3 +133,9 @@ status drawing_mesh_coarser(const drawing *d, int slice, const mesh_options *opt
     *found = false;
     return d->kind->coarser ? d->kind->coarser(d->state, slice, options, out, found) : OK;
 }
+
+status drawing_pixels(const drawing *d, int slice, pixel_image *out, bool *found)
+{
+    *found = d->kind->pixels != NULL;
+    return *found ? d->kind->pixels(d->state, slice, out) : OK;
+}

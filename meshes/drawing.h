@@ -6,6 +6,7 @@
 #include "base/key.h"
 #include "base/material.h"
 #include "meshes/mesher.h"
+#include "meshes/pixel_image.h"
 #include "meshes/shape.h"
 
 typedef enum drawing_unit { UNIT_MM, UNIT_M, UNIT_CM, UNIT_UM, UNIT_IN } drawing_unit;
@@ -110,6 +111,9 @@ status drawing_mesh(const drawing *d, int slice, const mesh_options *options, me
 status drawing_mesh_coarser(const drawing *d, int slice, const mesh_options *options, mesh *out,
                             bool *found);
 
+// The pixels of one slice, the caller's to free. *found false where the file is no image.
+status drawing_pixels(const drawing *d, int slice, pixel_image *out, bool *found);
+
 // --- what a kind of file provides
 
 typedef struct drawing_kind {
@@ -121,6 +125,7 @@ typedef struct drawing_kind {
     status (*outline)(const void *state, section_outline *out); // NULL: none
     status (*mesh)(const void *state, int slice, const mesh_options *options, mesh *out);
     status (*coarser)(const void *state, int slice, const mesh_options *options, mesh *out,
-                      bool *found); // NULL: none
-    int best_order;                 // of elements; 0: as elsewhere
+                      bool *found);                                   // NULL: none
+    status (*pixels)(const void *state, int slice, pixel_image *out); // NULL: none
+    int best_order; // of elements; 0: as elsewhere
 } drawing_kind;

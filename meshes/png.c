@@ -282,6 +282,12 @@ done:
     return st;
 }
 
+static status png_pixels(const void *state, int slice, pixel_image *out)
+{
+    const png_state *s = state;
+    return runs_image(s, &s->slices[s->of[slice]], out);
+}
+
 static status png_coarser(const void *state, int slice, const mesh_options *options, mesh *out,
                           bool *found)
 {
@@ -311,6 +317,7 @@ const drawing_kind png_drawing = {
     .layer = png_layer,
     .mesh = png_mesh,
     .coarser = png_coarser,
+    .pixels = png_pixels,
     // stairs and the count of pixels leave ten times the error of elements of order 2: they cost a
     // sixth of order 4
     .best_order = 2,

@@ -118,35 +118,31 @@ bool section_follow_turns_frames(const section_follow *f)
 }
 
 // as shape_frames_to_mesh numbers them
-static status frames_of_shapes(const section_outline *o, int nframe, material_frame *frame)
+static status frame_of_shape(const section_outline *o, int index, material_frame *out)
 {
     int n = 0;
     for (int k = 0; k < o->count; k++) {
-        if (o->items[k].has_frame && o->items[k].material >= 0 && n < nframe) {
-            frame[n++] = o->items[k].frame;
+        if (o->items[k].has_frame && o->items[k].material >= 0 && n++ == index) {
+            *out = o->items[k].frame;
+            return OK;
         }
     }
-    return n == nframe
-               ? OK
-               : status_fail(ERR_BUG, "section: %d directions for %d shapes", nframe, o->count);
+    return status_fail(ERR_BUG, "section: no direction %d of %d shapes", index, o->count);
 }
 
-status section_follow_frames(const section_follow *f, double s, material_frame *frame)
+status section_follow_frame(const section_follow *f, double s, int index, material_frame *out)
 {
     status st = OK;
     section_outline o = {0};
     bool drawn = false;
-    const int n = f->plane->nframe;
     if (!f->c->drawing) {
         TRY(section_outline_at(f->c, s, &o, &drawn));
-        TRY(frames_of_shapes(&o, n, frame));
+        TRY(frame_of_shape(&o, index, out));
         goto done;
     }
-    for (int k = 0; k < n; k++) {
-        frame[k] = f->plane->frame[k];
-        material_frame_move(&frame[k], field_at(&f->c->scale, s) / f->scale,
-                            field_at(&f->c->turn, s) - f->turn);
-    }
+    *out = f->plane->frame[index];
+    material_frame_move(out, field_at(&f->c->scale, s) / f->scale,
+                        field_at(&f->c->turn, s) - f->turn);
 
 done:
     section_outline_free(&o);

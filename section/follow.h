@@ -17,9 +17,9 @@ void section_follow_free(section_follow *f); // NULL is nothing
 // followed up to there.
 status section_follow_nodes(const section_follow *f, double s, double *xyz);
 
-// Directions of materials at s in the body frame there, [plane nframe]; they move only where
+// The plane mesh's frame `index` at s, in the body frame there; frames move only where
 // section_follow_turns_frames.
-status section_follow_frames(const section_follow *f, double s, material_frame *frame);
+status section_follow_frame(const section_follow *f, double s, int index, material_frame *out);
 bool section_follow_turns_frames(const section_follow *f);
 
 // How the section changes between two arclengths.
