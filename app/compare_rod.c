@@ -1,10 +1,9 @@
 // app/compare_rod.c
 // The rod's linear limit against the 3D segment.
+#include "app/beam_models.h"
 #include "app/compare_rows.h"
 
 #include <math.h>
-
-enum { COMPLIANCE_POINTS = 4 };
 
 // An end that holds the section's sideways contraction (a clamp, a rigid cap) takes away the axial
 // and bending compliance of a part of a radius: at most 0.10 radii per end were measured (catheter;
@@ -61,7 +60,8 @@ static tolerance axial_tolerance(const case_data *c, const compare_section *sect
 {
     const int held = (c->file.fem.base == BASE_CLAMPED || !section->one_poisson) +
                      (c->file.fem.tip == TIP_RIGID || !section->one_poisson);
-    const bool cubic = segment_choose(&c->file.fem, section->radius).order >= PATCH_ORDER;
+    const int order = c->file.fem.order;
+    const bool cubic = order == 0 || order >= PATCH_ORDER;
     const double mesh = fmin(r->segment.relative_error + section->error, mesh_most);
     if (held == 0) {
         return (tolerance){cubic ? fmin(patch + section->error, mesh_most) : mesh,
@@ -77,18 +77,12 @@ static tolerance sideways_tolerance(const case_data *c, const compare_section *s
                        "end layers: the compliance of half a radius of the length"};
 }
 
-// the straight prismatic rod of the segment's length and section
-static status segment_compliance(const case_data *c, const compare_section *section, mat6 *out)
+// The straight rod of the segment's length, whose law knows all: NULL where there is none, which
+// the table of models has told.
+static const mat6 *rod_compliance(const run_result *r)
 {
-    status st = OK;
-    law_along along = {0};
-    TRY(law_along_make(c->file.fem.length, 1, 1, &along));
-    along.law[0] = section->full;
-    TRY(rod_linear_compliance(&along, c->file.fem.length, COMPLIANCE_POINTS, out));
-
-done:
-    law_along_free(&along);
-    return st;
+    const model_check *m = &r->models.model[BEAM_TURNING];
+    return r->models.there && !m->why[0] ? &m->compliance : NULL;
 }
 
 // F with the axial and bending entries of `fem`
@@ -135,7 +129,7 @@ static bool too_short(const case_data *c, const compare_section *section, run_re
     return true;
 }
 
-status compare_rod_segment(const case_data *c, const compare_section *section, run_result *r)
+void compare_rod_segment(const case_data *c, const compare_section *section, run_result *r)
 {
     static const struct {
         const char *name, *unit;
@@ -149,17 +143,14 @@ status compare_rod_segment(const case_data *c, const compare_section *section, r
         {"bending y", "rad/(N mm)", 1e-3, false},
         {"twist", "rad/(N mm)", 1e-3, true},
     };
-    status st = OK;
-    mat6 F;
     const char *why = NULL;
-    const mat6 *fem = &r->segment.tip_compliance;
+    const mat6 *fem = &r->segment.tip_compliance, *F = rod_compliance(r);
     const bool judge = can_judge_sideways(c, section, &why);
-    if (too_short(c, section, r)) {
-        return OK;
+    if (!F || too_short(c, section, r)) {
+        return;
     }
-    TRY(segment_compliance(c, section, &F));
     for (int i = 0; i < 6; i++) {
-        const double ours = rows[i].scale * F.a[i][i], other = rows[i].scale * fem->a[i][i];
+        const double ours = rows[i].scale * F->a[i][i], other = rows[i].scale * fem->a[i][i];
         compare_row *row = compare_add(
             r, rows[i].unit, "tip compliance %s, rod's linear limit against FEM", rows[i].name);
         if (rows[i].sideways && !judge) {
@@ -170,14 +161,11 @@ status compare_rod_segment(const case_data *c, const compare_section *section, r
                                               : axial_tolerance(c, section, r));
         }
     }
-    compare_whole(c, section, &F, r);
-
-done:
-    return st;
+    compare_whole(c, section, F, r);
 }
 
 // the load of a case as a wrench at the geometric centre
-static vec6 load_wrench(const segment_load *load, const double *point)
+vec6 compare_load_wrench(const segment_load *load, const double *point)
 {
     const double *f = load->force, *m = load->moment;
     return (vec6){{f[0], f[1], f[2], m[0] + point[1] * f[2], m[1] - point[0] * f[2],
@@ -200,6 +188,14 @@ static double rim_angle(const case_data *c, const compare_section *section,
                           hypot(load->moment[0], load->moment[1]);
     return moment * length / fmax(section->centres.EI[0], section->centres.EI[1]) +
            fabs(w.a[MZ]) * length / section->centres.GJ;
+}
+
+bool compare_acts_on_tip_only(const segment_load *load)
+{
+    static const double none[3] = {0, 0, 0};
+    return load->pressures.count == 0 && rotation_apart(load->body_force, none) == 0 &&
+           rotation_apart(load->acceleration, none) == 0 && !mark_given(load->tip_motion.at) &&
+           !load->holds_move;
 }
 
 static bool is_pure_compression(const segment_load *load)
@@ -229,23 +225,21 @@ static void compare_angle(const case_data *c, const compare_section *section, co
                               "the ends' part of the beam's angle, and Fig. 4's 0.1 deg scaled"});
 }
 
-status compare_loads(const case_data *c, const compare_section *section, run_result *r)
+void compare_loads(const case_data *c, const compare_section *section, run_result *r)
 {
     static const double zero[3] = {0, 0, 0};
-    status st = OK;
-    mat6 F;
+    const mat6 *F = rod_compliance(r);
     const segment_load *loads = c->file.fem.loads.items;
-    if (radii_long(c, section) < shortest) {
-        return OK;
+    if (!F || radii_long(c, section) < shortest) {
+        return;
     }
-    TRY(segment_compliance(c, section, &F));
     for (int i = 0; i < r->segment.nload; i++) {
         const segment_load_result *load = &r->segment.load[i];
-        const vec6 w = load_wrench(&loads[i], load->point);
-        const vec6 beam = mat6_mul_vec(F, w);
+        const vec6 w = compare_load_wrench(&loads[i], load->point);
+        const vec6 beam = mat6_mul_vec(*F, w);
         const double rim = rim_angle(c, section, &loads[i], w);
         const double turned = rotation_apart(load->tip_rotation, zero);
-        if (!(rim > 0)) {
+        if (!(rim > 0) || !compare_acts_on_tip_only(&loads[i])) {
             continue;
         }
         if (is_pure_compression(&loads[i])) {
@@ -261,7 +255,4 @@ status compare_loads(const case_data *c, const compare_section *section, run_res
                                       load->name));
         }
     }
-
-done:
-    return st;
 }

@@ -50,12 +50,18 @@ double compare_section_share(const compare_section *section);
 
 double compare_centre_distance(const double *a, const double *b); // of two points in the section
 
+// A load of the segment as a wrench at the geometric centre, and whether it is no more than that.
+vec6 compare_load_wrench(const segment_load *load, const double *point);
+bool compare_acts_on_tip_only(const segment_load *load);
+
 // The rows of each kind.
 status compare_closed_forms(const case_data *c, const compare_section *section, run_result *r);
 status compare_getdp(const case_data *c, const compare_section *section, run_result *r);
 status compare_published(const case_data *c, const compare_section *section, run_result *r);
 status compare_section_segment(const case_data *c, const compare_section *section, run_result *r);
 status compare_frames(const case_data *c, run_result *r);
-status compare_rod_segment(const case_data *c, const compare_section *section, run_result *r);
+// after compare_models, whose rod it is
+void compare_rod_segment(const case_data *c, const compare_section *section, run_result *r);
 status compare_models(const case_data *c, const compare_section *section, run_result *r);
-status compare_loads(const case_data *c, const compare_section *section, run_result *r);
+void compare_loads(const case_data *c, const compare_section *section, run_result *r);
+status compare_calculix(const case_data *c, run_result *r);

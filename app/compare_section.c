@@ -1,5 +1,6 @@
 // app/compare_section.c
 // The section by us against closed forms, against GetDP and against the middle of the 3D segment.
+#include "app/chain.h"
 #include "app/compare_rows.h"
 
 #include <math.h>
@@ -20,6 +21,9 @@ static const char middle_reason[] = "end layers that reach the middle of the seg
 // The 3D column's own estimate counts up to this: 1e-3 to 3e-3 is what default meshes have
 // (docs/theory.md, section 5).
 static const double column_most = 5e-3;
+// The column's plane mesh: edges over the radius.
+static const double column_size = 0.5;
+enum { COLUMN_ORDER = 3 };
 static const char law_reason[] = "the estimates of both: section (three times) and 3D column";
 static const char coarse_reason[] =
     "at most 5e-3 for a 3D mesh too coarse to tell, and the section";
@@ -174,14 +178,49 @@ static void compare_matrices(const compare_section *section, const beam_law *col
     }
 }
 
+// the case's order and size of the 3D segment where it gives them
+static status column_plane(const case_data *c, const compare_section *section, mesh *out)
+{
+    const segment_case *fem = &c->file.fem;
+    return chain_plane_mesh(c, section->s, fem->order > 0 ? fem->order : COLUMN_ORDER,
+                            fem->size > 0 ? fem->size : column_size * section->radius, out);
+}
+
+// of the section in the middle of the segment, which a body that follows its rod may turn there
+static status compare_centre(const case_data *c, const compare_section *section, run_result *r)
+{
+    status st = OK;
+    const segment_case *fem = &c->file.fem;
+    section_case full = c->file.section;
+    beam_law law = section->full;
+    beam_centres ours;
+    full.model = MODEL_FULL;
+    if (fem->course == COURSE_ALONG && section_varies(&full)) {
+        const double s = fem->section_at + fem->length / 2;
+        TRY(case_place(c, section_solve(&full, c->materials, s, c->length, &law), full.at));
+    }
+    TRY(beam_law_centres(&law, &ours));
+    const double *found = r->segment.stiffness_centre;
+    compare_judge(compare_add(r, "mm", "section: NC, ours against bending-free load (of radius)"),
+                  1e3 * hypot(ours.stiffness_centre[0], ours.stiffness_centre[1]),
+                  1e3 * hypot(found[0], found[1]),
+                  compare_centre_distance(ours.stiffness_centre, found) / section->radius,
+                  middle_tolerance(c, section));
+
+done:
+    return st;
+}
+
 status compare_section_segment(const case_data *c, const compare_section *section, run_result *r)
 {
     status st = OK;
+    mesh plane = {0};
     beam_centres fem;
     beam_law law = {0};
     const beam_centres *ours = &section->centres;
     const mat6 *K = &section->full.K, *K_fem = &law.K;
-    TRY(segment_section_law(&r->segment_plane, c->materials, &law));
+    TRY(column_plane(c, section, &plane));
+    TRY(segment_section_law(&plane, c->materials, &law));
     TRY(beam_law_centres_near(&law, ours->principal_angle, &fem));
     const struct {
         const char *name, *unit;
@@ -202,13 +241,9 @@ status compare_section_segment(const case_data *c, const compare_section *sectio
     }
     compare_matrices(section, &law,
                      compare_add(r, "-", "section: whole 6x6, ours (full) against 3D FEM"));
-    compare_judge(compare_add(r, "mm", "section: NC, ours against bending-free load (of radius)"),
-                  1e3 * hypot(ours->stiffness_centre[0], ours->stiffness_centre[1]),
-                  1e3 * hypot(r->segment.stiffness_centre[0], r->segment.stiffness_centre[1]),
-                  compare_centre_distance(ours->stiffness_centre, r->segment.stiffness_centre) /
-                      section->radius,
-                  middle_tolerance(c, section));
+    TRY(compare_centre(c, section, r));
 
 done:
+    mesh_free(&plane);
     return st;
 }
