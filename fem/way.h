@@ -1,7 +1,9 @@
 // fem/way.h
 // Three ways to solve a segment_problem, one answer: docs/theory.md (5.12) to (5.15)
 //
-//   doubling   one slab condensed, joined with itself again and again: prisms, turning ones too
+//   doubling   one slab condensed, joined with itself again and again: prisms, turning ones too.
+//              Slabs are length / 2^k thick, no thicker than the body's thinnest layer, and of its
+//              order (2 costs least), whatever the other layers are
 //   direct     sparse factors of the whole (MUMPS)
 //   iterative  conjugate gradients, matrix-free, multigrid over the orders; on many ranks
 #pragma once
