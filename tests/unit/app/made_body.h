@@ -10,12 +10,14 @@
 
 static const double PI = 3.14159265358979323846;
 
-static const char start[] =
-    "format: 1\n"
-    "materials: {soft: {E_MPa: 0.66, nu: 0.3}, stiff: {E_MPa: 15.93, nu: 0.45}}\n"
-    "section:\n";
+static const char start[] = "format: 1\n"
+                            "materials: {soft: {E_MPa: 0.66, nu: 0.3}, stiff: {E_MPa: 15.93, nu: "
+                            "0.3}, plain: {E_MPa: 1, nu: 0}}\n"
+                            "section:\n";
 static const char annulus[] =
     "    - {annulus: {outer_radius_mm: 4, inner_radius_mm: 3.2}, material: soft}\n";
+
+enum { MOST_LAYERS = 400 };
 
 typedef struct made {
     case_data c;
@@ -39,11 +41,12 @@ static inline status read_case(const char *section, const char *rest, case_data 
     return st;
 }
 
-static inline status make(const char *section, const char *rest, segment_mesh ask, int nlayer,
-                          made *m)
+// layer: [nlayer + 1] over the length, from 0 to 1
+static inline status make_on(const char *section, const char *rest, segment_mesh ask, int nlayer,
+                             const double *layer, made *m)
 {
     status st = OK;
-    double layer[401];
+    double s[MOST_LAYERS + 1];
     *m = (made){0};
     TRY(read_case(section, rest, &m->c));
     TRY(segment_source_make(&m->c, &m->source));
@@ -52,9 +55,9 @@ static inline status make(const char *section, const char *rest, segment_mesh as
                           .materials = m->source.materials,
                           .order = ask.order,
                           .nlayer = nlayer,
-                          .layer = layer};
-    for (int i = 0; i <= nlayer; i++) {
-        layer[i] = m->c.file.fem.length * i / nlayer;
+                          .layer = s};
+    for (int i = 0; i <= nlayer && nlayer <= MOST_LAYERS; i++) {
+        s[i] = m->c.file.fem.length * layer[i];
     }
     if (m->source.fixed_layers) {
         m->spec.nlayer = m->source.nlayer;
@@ -67,6 +70,27 @@ static inline status make(const char *section, const char *rest, segment_mesh as
 
 done:
     return st;
+}
+
+// layers that grow towards the middle, all alike where grading is 1: middle over end
+static inline status make_graded(const char *section, const char *rest, segment_mesh ask,
+                                 int nlayer, double grading, made *m)
+{
+    double layer[MOST_LAYERS + 1] = {0};
+    for (int i = 0; i < nlayer; i++) {
+        const int from_end = i < nlayer - 1 - i ? i : nlayer - 1 - i;
+        layer[i + 1] = layer[i] + pow(grading, from_end / ((nlayer - 1) / 2 + 1e-9));
+    }
+    for (int i = 0; i <= nlayer; i++) {
+        layer[i] /= layer[nlayer];
+    }
+    return make_on(section, rest, ask, nlayer, layer, m);
+}
+
+static inline status make(const char *section, const char *rest, segment_mesh ask, int nlayer,
+                          made *m)
+{
+    return make_graded(section, rest, ask, nlayer, 1, m);
 }
 
 static inline void unmake(made *m)

@@ -14,7 +14,7 @@ static void the_helical_robot_has_its_volumes(void)
                    annulus);
     CHECK_OK(make(shapes, "fem: {length_mm: 120, loads: []}\n", fine, 40, &m));
     CHECK(m.spec.shape.place && m.spec.turn_rate == 0 && !m.source.fixed_layers);
-    CHECK_NEAR(m.source.nu, 0.45, 1e-15);
+    CHECK_NEAR(m.source.nu, 0.3, 1e-15);
     // half a turn and a bit for the width, layers no longer than pi/8
     CHECK(m.source.sections_along >= 8 && m.source.sections_along <= 12);
     const body_volume v = body_volumes(&m.body);
@@ -23,6 +23,58 @@ static void the_helical_robot_has_its_volumes(void)
     CHECK_NEAR(v.of[1], stiff, 1e-10);
     CHECK_NEAR(v.of[0] + v.of[1], all, 1e-10);
     CHECK(v.smallest > 0.5);
+    unmake(&m);
+}
+
+// the plane mesh between levels, by the layers' own basis
+static void slice_at(const body *b, double s, mesh *m)
+{
+    int layer = 0;
+    double N[ELEMENT_MAX_ORDER + 1];
+    while (layer + 1 < b->nlayer && b->level[(layer + 1) * b->order] <= s) {
+        layer++;
+    }
+    const double begin = b->level[layer * b->order], end = b->level[(layer + 1) * b->order];
+    const double t = 2 * (s - begin) / (end - begin) - 1;
+    element_basis(&b->line, &t, N, NULL);
+    for (int i = 0; i < m->nnode; i++) {
+        double at[3] = {0};
+        for (int k = 0; k <= b->order; k++) {
+            double x[3];
+            body_node(b, i, layer * b->order + k, x);
+            at[0] += N[k] * x[0];
+            at[1] += N[k] * x[1];
+        }
+        memcpy(m->xyz + 3 * i, at, sizeof at);
+    }
+}
+
+// E over a slice between levels: that of the section drawn there
+static void interfaces_are_kept_between_levels(void)
+{
+    made m;
+    mesh slice = {0};
+    const char shapes[] =
+        "  model: classical\n  shapes:\n    - {annulus: {outer_radius_mm: 4 - 0.01*s, "
+        "inner_radius_mm: 3.2}, material: soft}\n    - {sector: {outer_radius_mm: 4 - 0.01*s, "
+        "inner_radius_mm: 3.2, mid_angle_rad: pi*s/L, width_rad: pi/4 - (pi/8)*sin(s/L)}, "
+        "material: stiff}\n";
+    CHECK_OK(make(shapes, "fem: {length_mm: 60, loads: []}\n", fine, 30, &m));
+    CHECK_OK(mesh_copy(&m.plane, &slice));
+    for (int k = 0; k < 20; k++) {
+        const double s = 0.0013 + 0.003 * k * (1 - 0.003 * k);
+        beam_law kept = {0}, drawn = {0};
+        slice_at(&m.body, s, &slice);
+        CHECK_OK(section_classical_mesh(&slice, m.source.materials, &kept));
+        CHECK_OK(section_solve(&m.c.file.section, m.source.materials, s, 0.06, &drawn));
+        CHECK_NEAR(kept.K.a[2][2], drawn.K.a[2][2], 1e-8);
+        const double radius = 4e-3;
+        CHECK_WITHIN(kept.K.a[2][3], drawn.K.a[2][3], 1e-8 * drawn.K.a[2][2] * radius);
+        CHECK_WITHIN(kept.K.a[2][4], drawn.K.a[2][4], 1e-8 * drawn.K.a[2][2] * radius);
+        CHECK_NEAR(kept.K.a[3][3], drawn.K.a[3][3], 1e-8);
+        CHECK_NEAR(kept.K.a[4][4], drawn.K.a[4][4], 1e-8);
+    }
+    mesh_free(&slice);
     unmake(&m);
 }
 
@@ -141,6 +193,7 @@ static void a_hook_is_straight_then_round(void)
 int main(void)
 {
     the_helical_robot_has_its_volumes();
+    interfaces_are_kept_between_levels();
     a_constant_turn_is_a_prism_that_turns();
     turning_by_shape_is_turning_by_rate();
     a_tapered_tube_has_its_volume();
