@@ -49,6 +49,10 @@ status edge_list_make(int nelem, int nside, const int *corner, edge_list *out)
     qsort(all, (size_t)n, sizeof *all, side_order);
     for (int i = 0; i < n; i++) {
         const side *s = &all[i];
+        if (s->low == s->high) { // no side: a triangle among quads
+            e.of[s->at] = -1;
+            continue;
+        }
         if (i == 0 || s->low != s[-1].low || s->high != s[-1].high) {
             e.end[e.nedge][0] = s->low;
             e.end[e.nedge++][1] = s->high;
@@ -68,16 +72,20 @@ done:
 status mesh_corners(const mesh *m, int *nside, int **corner)
 {
     status st = OK;
-    const mesh_block *b = &m->block[0];
-    const int p = m->order, last = b->per_elem - 1;
-    const int triangle[] = {0, p, last}, quad[] = {0, p, last, last - p};
-    const int *local = b->shape == SHAPE_QUAD ? quad : triangle;
-    *nside = b->shape == SHAPE_QUAD ? 4 : 3;
-    int *c = NULL;
-    TRY(TAKE(c, (size_t)b->nelem * (size_t)*nside));
-    for (int e = 0; e < b->nelem; e++) {
-        for (int k = 0; k < *nside; k++) {
-            c[e * *nside + k] = b->conn[(size_t)e * (size_t)b->per_elem + (size_t)local[k]];
+    const int p = m->order, mixed = m->nblock > 1;
+    int *c = NULL, *to = NULL;
+    *nside = mixed || m->block[0].shape == SHAPE_QUAD ? 4 : 3;
+    TRY(TAKE(c, (size_t)mesh_element_count(m) * (size_t)*nside));
+    to = c;
+    for (int b = 0; b < m->nblock; b++) {
+        const mesh_block *block = &m->block[b];
+        const int last = block->per_elem - 1;
+        const int triangle[] = {0, p, last, last}, quad[] = {0, p, last, last - p};
+        const int *local = block->shape == SHAPE_QUAD ? quad : triangle;
+        for (int e = 0; e < block->nelem; e++) {
+            for (int k = 0; k < *nside; k++) {
+                *to++ = block->conn[(size_t)e * (size_t)block->per_elem + (size_t)local[k]];
+            }
         }
     }
     *corner = c;
@@ -106,6 +114,9 @@ static void join(const edge_list *e, int nelem, int *first, int *parent)
     }
     for (int i = 0; i < nelem * e->nside; i++) {
         const int edge = e->of[i], elem = i / e->nside;
+        if (edge < 0) {
+            continue;
+        }
         if (first[edge] < 0) {
             first[edge] = elem;
         } else {
@@ -123,10 +134,10 @@ static status parts_fail(const mesh *m, int apart, int nside, const int *corner,
     bool *first = NULL, touches = false;
     TRY(TAKE(first, (size_t)m->nnode));
     const int root = root_of(parent, apart);
-    for (int i = 0; i < m->block[0].nelem * nside; i++) {
+    for (int i = 0; i < mesh_element_count(m) * nside; i++) {
         first[corner[i]] |= root_of(parent, i / nside) != root;
     }
-    for (int i = 0; i < m->block[0].nelem * nside; i++) {
+    for (int i = 0; i < mesh_element_count(m) * nside; i++) {
         touches |= root_of(parent, i / nside) == root && first[corner[i]];
     }
     st = outline_fail(&o->items[owner[apart]], "%s",
@@ -143,7 +154,7 @@ status mesh_check_connected(const mesh *m, const int *owner, const section_outli
     status st = OK;
     edge_list e = {0};
     int nside = 0, *corner = NULL, *first = NULL, *parent = NULL;
-    const int nelem = m->block[0].nelem;
+    const int nelem = mesh_element_count(m);
 
     TRY(mesh_corners(m, &nside, &corner));
     TRY(edge_list_make(nelem, nside, corner, &e));

@@ -3,6 +3,7 @@
 
 #include "base/memory.h"
 #include "meshes/curved.h"
+#include "meshes/edge_pieces.h"
 #include "meshes/free_check.h"
 #include "meshes/free_child.h"
 #include "meshes/outline.h"
@@ -179,14 +180,15 @@ status free_mesh_make(const section_outline *o, const mesh_options *options, mes
 {
     status st = OK;
     attempt a = {.nbad = 1};
+    const bool layered = options->edge_layers > 0;
     plane_request request = {
         .check = plane_check,
         .drawn = o,
         .parts = plane_parts,
         .size_at = plane_size_at,
-        .length = sizing_length(options, o->size) / o->size,
-        .angle = sizing_angle(options),
-        .towards_corners = options->size > 0 ? NULL : o,
+        .length = (layered ? sizing_edge_length : sizing_length)(options, o->size) / o->size,
+        .angle = (layered ? sizing_edge_angle : sizing_angle)(options),
+        .towards_corners = options->size > 0 || layered ? NULL : o,
         .shrink = {1, sizing_shrink(options, CORNER_WEAK), sizing_shrink(options, CORNER_STRONG)}};
 
     TRY(section_check_thickness(o));
@@ -203,9 +205,13 @@ status free_mesh_make(const section_outline *o, const mesh_options *options, mes
         TRY(fail_at(o, &a));
     }
     TRY(pieces_check_owners(&a.pieces, &a.sides, o));
-    TRY(take_owners(&a.pieces, owner));
-    *out = a.m;
-    a.m = (mesh){0};
+    if (layered) {
+        TRY(edge_mesh_make(&a.pieces, o, &a.sides, options, out, owner));
+    } else {
+        TRY(take_owners(&a.pieces, owner));
+        *out = a.m;
+        a.m = (mesh){0};
+    }
 
 done:
     attempt_free(&a);

@@ -110,32 +110,6 @@ static double thinnest_free(const section_outline *o, const grid *g, const doubl
     return thinnest;
 }
 
-// Length next to a break of that kind over the smallest; 0: no layers. An interface that ends at a
-// clamped end is less singular than a free edge, and does with one layer less.
-static double first_length(const mesh_options *options, edge_kind kind)
-{
-    if (kind == EDGE_INTERFACE) {
-        return options->edge_layers > 1 ? SIZING_GROWTH : 0;
-    }
-    return kind == EDGE_FREE ? 1 : 0;
-}
-
-// length of the shorter of the intervals with material on either side of a break
-static double room_beside(const grid *g, int d, int i)
-{
-    const int n = g->n[d];
-    const bool closes = g->polar && d == 1;
-    const int beside[2] = {closes ? (i + n - 1) % n : i - 1, closes ? i % n : i};
-    double room = INFINITY;
-    for (int k = 0; k < 2; k++) {
-        const int c = beside[k];
-        if (c >= 0 && c < n && row_is_used(g, d, c)) {
-            room = fmin(room, g->at[d][c + 1] - g->at[d][c]);
-        }
-    }
-    return room;
-}
-
 // finest: [n + 1] for either direction, in units of the grid's coordinates; 0 at breaks that no
 // edge lies on
 static void find_edges(const section_outline *o, const grid *g, const mesh_options *options,
@@ -144,8 +118,9 @@ static void find_edges(const section_outline *o, const grid *g, const mesh_optio
     const double first = sizing_edge_first(options, o->size, thinnest_free(o, g, unit));
     for (int d = 0; d < 2; d++) {
         for (int i = 0; i <= g->n[d]; i++) {
-            const double length = first * first_length(options, break_kind(o, g, d, i));
-            finest[d][i] = fmin(length / unit[d], room_beside(g, d, i) / SIZING_GROWTH);
+            const edge_kind kind = break_kind(o, g, d, i);
+            const double length = kind == EDGE_INTERFACE ? SIZING_INTERFACE * first : first;
+            finest[d][i] = kind == EDGE_NONE ? 0 : length / unit[d];
         }
     }
 }
@@ -157,8 +132,9 @@ static status edge_ladders(const section_outline *o, const grid *g, const mesh_o
     const double outer = g->at[0][g->n[0]];
     const double unit[2] = {1, g->polar ? outer : 1};
     const double size = sizing_edge_length(options, o->size);
-    const double target[2] = {size,
-                              g->polar ? fmin(size / outer, sizing_edge_angle(options)) : size};
+    const double arc = sizing_edge_angle(options);
+    const double around = options->size > 0 ? fmin(size / outer, arc) : arc;
+    const double target[2] = {size, g->polar ? around : size};
     find_edges(o, g, options, unit, finest);
     for (int d = 0; d < 2; d++) {
         const ladder_steps steps = {target[d], SIZING_GROWTH, SIZING_STRETCH};

@@ -1,6 +1,7 @@
 // meshes/mesher.c
 #include "meshes/mesher.h"
 
+#include "meshes/edge_pieces.h"
 #include "meshes/edges.h"
 #include "meshes/free.h"
 #include "meshes/grid.h"
@@ -16,6 +17,12 @@ static status check_options(const mesh_options *options)
     if (options->order < 1 || options->order > ELEMENT_MAX_ORDER) {
         return status_fail_at(ERR_INPUT, at.line, at.column, "mesh: order %d is not 1 to %d",
                               options->order, ELEMENT_MAX_ORDER);
+    }
+    if (options->edge_layers < 0 || options->edge_layers > EDGE_MOST_LAYERS ||
+        !(isfinite(options->edge_first) && options->edge_first >= 0)) {
+        return status_fail_at(ERR_INPUT, at.line, at.column,
+                              "mesh: %d edge layers from %g of the radius: 0 to %d are possible",
+                              options->edge_layers, options->edge_first, EDGE_MOST_LAYERS);
     }
     if (!(isfinite(options->size) && options->size >= 0)) {
         return status_fail_at(ERR_INPUT, at.line, at.column, "mesh: a size of %g m is no length",

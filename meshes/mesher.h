@@ -22,15 +22,15 @@ typedef struct mesh_options {
     // beside the keys, where size is 0:
     int layers;   // of ever smaller elements towards corners, more than the default
     double finer; // parts of a chosen edge length; 0 is 1
-    // Layers of elements that shrink by SIZING_GROWTH towards all free edges and, one layer less,
-    // towards interfaces, where a clamped end's singular lines are: as many as this where the
-    // section is thinnest, and more in thicker parts, since all begin with the same length.
-    // Elements elsewhere become as large as smooth fields and arcs allow. 0: none, and small
-    // elements towards corners instead. Images do without.
+    // Layers of elements that shrink by SIZING_GROWTH towards all free edges and interfaces, where
+    // a clamped end's singular lines are. All free edges begin with the same length, interfaces
+    // with SIZING_INTERFACE of it: thick parts take more layers, and parts thinner than three times
+    // that length none. Elements elsewhere become as large as smooth fields and arcs allow. 0: no
+    // such layers, and small elements towards corners instead. Images do without.
     int edge_layers;
-    double edge_first; // that length over the section's radius; parts thinner than SIZING_GROWTH of
-                       // it begin with their own part. 0: SIZING_GROWTH^-edge_layers of the
-                       // section's thinnest part
+    double edge_first; // that length over the section's radius, whatever the number of layers comes
+                       // to; 1 asks for the largest elements there are. 0: such that the thinnest
+                       // part at a free edge takes edge_layers
 } mesh_options;
 
 extern const key_table mesh_keys; // `section.mesh`

@@ -30,6 +30,10 @@ double sizing_shrink(const mesh_options *options, corner c);
 // By what the elements between edge layers may exceed the next layer's: fields there are smooth.
 #define SIZING_STRETCH 3.0
 
+// The first layer at an interface over that at a free edge. A clamped end is less singular there,
+// but it is there, and at the largest stresses.
+#define SIZING_INTERFACE 4.0
+
 // With edge layers: length of the smallest elements [m], thinnest the section's thinnest part;
 // largest length [m], and largest angle of an arc [rad].
 double sizing_edge_first(const mesh_options *options, double section_size, double thinnest);

@@ -176,7 +176,7 @@ static inline bool mesh_is_conforming(const mesh *m)
     edge_list e = {0};
     int nside = 0, *corner = NULL, *on_boundary = NULL;
     bool good = mesh_corners(m, &nside, &corner) == OK &&
-                edge_list_make(m->block[0].nelem, nside, corner, &e) == OK;
+                edge_list_make(mesh_element_count(m), nside, corner, &e) == OK;
     on_boundary = calloc((size_t)m->nnode, sizeof *on_boundary);
     for (int i = 0; good && i < e.nedge; i++) {
         good = e.count[i] == 1 || e.count[i] == 2;
@@ -208,7 +208,7 @@ static inline double mesh_boundary_length(const mesh *m)
     int nside = 0, *corner = NULL;
     double sum = 0;
     if (mesh_corners(m, &nside, &corner) == OK &&
-        edge_list_make(m->block[0].nelem, nside, corner, &e) == OK) {
+        edge_list_make(mesh_element_count(m), nside, corner, &e) == OK) {
         for (int i = 0; i < e.nedge; i++) {
             const double *x = m->xyz + 3 * e.end[i][0], *y = m->xyz + 3 * e.end[i][1];
             sum += e.count[i] == 1 ? hypot(x[0] - y[0], x[1] - y[1]) : 0;
