@@ -44,7 +44,7 @@ typedef struct way_run {
     int first, last;
     int own_first, own_last; // of those what is this rank's to tell: every level is one rank's;
                              // both 0: all of them
-    double *u; // [ncolumn][last - first][nplane][3] [m]
+    double *u;               // [ncolumn][last - first][nplane][3] [m]
 } way_run;
 void way_run_free(way_run *run);
 
