@@ -168,3 +168,99 @@ static inline void hold_where(equations *s, bool (*where)(const double *x), int 
         }
     }
 }
+
+// displacement of the node nearest to a place
+static inline void displacement_at(const equations *s, const double *place, double *u)
+{
+    const body *b = s->body;
+    double best = INFINITY;
+    for (int level = 0; level < b->nlevel; level++) {
+        for (int i = 0; i < b->plane->nnode; i++) {
+            double x[3];
+            body_node(b, i, level, x);
+            const double d = hypot(hypot(x[0] - place[0], x[1] - place[1]), x[2] - place[2]);
+            if (d < best) {
+                best = d;
+                memcpy(u, s->f + equation_of(b, i, level, 0), 3 * sizeof *u);
+            }
+        }
+    }
+}
+
+// stress at a node that is nearest to a place, the mean over the elements that have it
+typedef struct stress_probe {
+    const equations *s;
+    const double *place;
+    double nearest, stress[6];
+    int count;
+} stress_probe;
+
+static inline void probe_element(brick *w, int layer, void *self)
+{
+    stress_probe *p = (stress_probe *)self;
+    const element *line = &w->body->line;
+    double u[BRICK_MAX_DOFS], strain[6], stress[6];
+    element_displacements(p->s, w, layer, u);
+    for (int i = 0; i < w->n; i++) {
+        double x[3];
+        body_node(w->body, w->conn[i % w->n2], layer * w->body->order + i / w->n2, x);
+        const double d = hypot(hypot(x[0] - p->place[0], x[1] - p->place[1]), x[2] - p->place[2]);
+        if (d > p->nearest * (1 + 1e-9) + 1e-12) {
+            continue;
+        }
+        if (d < p->nearest * (1 - 1e-9) - 1e-12) {
+            p->nearest = d;
+            p->count = 0;
+            memset(p->stress, 0, sizeof p->stress);
+        }
+        const double at[3] = {w->plane.node[i % w->n2][0], w->plane.node[i % w->n2][1],
+                              line->node[i / w->n2][0]};
+        CHECK_OK(brick_stress_at(w, layer, at, u, strain, stress, NULL));
+        p->count++;
+        for (int c = 0; c < 6; c++) {
+            p->stress[c] += (stress[c] - p->stress[c]) / p->count;
+        }
+    }
+}
+
+static inline stress_probe stress_near(const equations *s, const double *place)
+{
+    stress_probe p = {.s = s, .place = place, .nearest = INFINITY};
+    each_element(s->body, probe_element, &p);
+    return p;
+}
+
+// a traction on those patches of the walls or ends whose nodes all satisfy a condition
+typedef struct partial_load {
+    equations *s;
+    bool (*where)(const double *x);
+    double pressure, traction[3], area;
+} partial_load;
+
+static inline status add_partial(void *self, const face_patch *p)
+{
+    partial_load *l = (partial_load *)self;
+    for (int i = 0; i < p->nnode; i++) {
+        double x[3];
+        body_node(l->s->body, p->plane_node[i], p->level[i], x);
+        if (!l->where(x)) {
+            return OK;
+        }
+    }
+    for (int q = 0; q < p->npoint; q++) {
+        l->area += p->dA[q];
+        for (int i = 0; i < p->nnode; i++) {
+            for (int d = 0; d < 3; d++) {
+                l->s->f[equation_of(l->s->body, p->plane_node[i], p->level[i], d)] +=
+                    p->dA[q] * p->N[q][i] * (l->traction[d] - l->pressure * p->normal[q][d]);
+            }
+        }
+    }
+    return OK;
+}
+
+static inline void load_where(partial_load *l, int face)
+{
+    const face_part part = {face, -INFINITY, INFINITY};
+    CHECK_OK(face_walk(l->s->body, &part, 0, l->s->body->nlayer, add_partial, l));
+}
