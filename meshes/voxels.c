@@ -30,27 +30,18 @@ static int choose_factor(const pixel_image *p, double size)
                       : -(int)fmin(1e4, ceil((1 - SAME_SIZE) / ratio));
 }
 
-// what most pixels of a square have; of two that are level the first one met
-static int majority(const pixel_image *p, int i0, int j0, int factor)
+// what most pixels of a square have; of two that are level the later one in the list of materials.
+// votes: by material + 1, all 0 before and after
+static int majority(const pixel_image *p, int i0, int j0, int factor, int most, int *votes)
 {
-    int best = PIXEL_NONE, votes = 0;
+    int best = PIXEL_NONE;
     for (int k = 0; k < factor * factor; k++) {
-        const int candidate = pixel_at(p, i0 + k % factor, j0 + k / factor);
-        int count = 0;
-        if (k > 0 && candidate == best) {
-            continue;
-        }
-        for (int l = 0; l < factor * factor; l++) {
-            count += pixel_at(p, i0 + l % factor, j0 + l / factor) == candidate;
-        }
-        if (count > votes) {
-            votes = count;
-            best = candidate;
-        }
-        if (2 * votes > factor * factor) {
-            break;
-        }
+        votes[pixel_at(p, i0 + k % factor, j0 + k / factor) + 1]++;
     }
+    for (int material = PIXEL_NONE; material <= most; material++) {
+        best = votes[material + 1] >= votes[best + 1] ? material : best;
+    }
+    memset(votes, 0, ((size_t)most + 2) * sizeof *votes);
     return best;
 }
 
@@ -58,16 +49,23 @@ static status merge(const pixel_image *p, int factor, pixel_image *out)
 {
     status st = OK;
     const double pitch[2] = {factor * p->pitch[0], factor * p->pitch[1]};
+    int *votes = NULL, most = PIXEL_NONE;
+    for (long i = 0; i < (long)p->n[0] * p->n[1]; i++) {
+        most = p->at[i] > most ? p->at[i] : most;
+    }
+    TRY(TAKE(votes, (size_t)most + 2));
     TRY(pixel_image_make((p->n[0] + factor - 1) / factor, (p->n[1] + factor - 1) / factor, pitch,
                          out));
     memcpy(out->corner, p->corner, sizeof out->corner);
     for (int j = 0; j < out->n[1]; j++) {
         for (int i = 0; i < out->n[0]; i++) {
-            out->at[(long)j * out->n[0] + i] = (short)majority(p, i * factor, j * factor, factor);
+            out->at[(long)j * out->n[0] + i] =
+                (short)majority(p, i * factor, j * factor, factor, most, votes);
         }
     }
 
 done:
+    free(votes);
     return st;
 }
 

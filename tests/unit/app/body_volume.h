@@ -18,11 +18,16 @@ typedef struct volume_sum {
     double volume, low;
 } volume_sum;
 
+typedef struct line_point {
+    double L[ELEMENT_MAX_ORDER + 1], dL[ELEMENT_MAX_ORDER + 1];
+} line_point;
+
 static inline void volume_point(const body *b, const int *conn, int n, int layer, const double *N,
-                                const double *dN, double t, double weight, volume_sum *sum)
+                                const double *dN, const line_point *line, double weight,
+                                volume_sum *sum)
 {
-    double L[ELEMENT_MAX_ORDER + 1], dL[ELEMENT_MAX_ORDER + 1], J[3][3] = {{0}};
-    element_basis(&b->line, &t, L, dL);
+    const double *L = line->L, *dL = line->dL;
+    double J[3][3] = {{0}};
     for (int k = 0; k <= b->order; k++) {
         for (int i = 0; i < n; i++) {
             double x[3];
@@ -49,7 +54,11 @@ static inline body_volume body_volumes(const body *b)
         return out;
     }
     const int ng = b->order + 2;
+    line_point line[8];
     gauss_legendre(ng, t, g);
+    for (int i = 0; i < ng; i++) {
+        element_basis(&b->line, &t[i], line[i].L, line[i].dL);
+    }
     for (int k = 0; k < b->plane->nblock; k++) {
         const mesh_block *block = &b->plane->block[k];
         const basis_table *table = &b->plane_table[k];
@@ -64,7 +73,8 @@ static inline body_volume body_volumes(const body *b)
                 const double weight = table->weight[p] * g[q / table->npoint];
                 measure += weight;
                 volume_point(b, conn, table->nnode, layer, table->N + p * table->nnode,
-                             table->dN + 2 * p * table->nnode, t[q / table->npoint], weight, &sum);
+                             table->dN + 2 * p * table->nnode, &line[q / table->npoint], weight,
+                             &sum);
             }
             if (material >= 0) {
                 CHECK(material < VOLUME_MATERIALS);

@@ -12,7 +12,7 @@ static void the_helical_robot_has_its_volumes(void)
                    "  shapes:\n%s    - {sector: {outer_radius_mm: 4, inner_radius_mm: 3.2, "
                    "mid_angle_rad: pi*s/L, width_rad: pi/4 - (pi/8)*(s/L)}, material: stiff}\n",
                    annulus);
-    CHECK_OK(make(shapes, "fem: {length_mm: 120, loads: []}\n", fine, 40, &m));
+    CHECK_OK(make(shapes, "fem: {length_mm: 120, loads: []}\n", fine, 24, &m));
     CHECK(m.spec.shape.place && m.spec.turn_rate == 0 && !m.source.fixed_layers);
     CHECK_NEAR(m.source.nu, 0.3, 1e-15);
     // half a turn and a bit for the width, layers no longer than pi/8
@@ -59,7 +59,7 @@ static void interfaces_are_kept_between_levels(void)
         "inner_radius_mm: 3.2}, material: soft}\n    - {sector: {outer_radius_mm: 4 - 0.01*s, "
         "inner_radius_mm: 3.2, mid_angle_rad: pi*s/L, width_rad: pi/4 - (pi/8)*sin(s/L)}, "
         "material: stiff}\n";
-    CHECK_OK(make(shapes, "fem: {length_mm: 60, loads: []}\n", fine, 30, &m));
+    CHECK_OK(make(shapes, "fem: {length_mm: 60, loads: []}\n", fine, 24, &m));
     CHECK_OK(mesh_copy(&m.plane, &slice));
     for (int k = 0; k < 20; k++) {
         const double s = 0.0013 + 0.003 * k * (1 - 0.003 * k);
@@ -181,7 +181,7 @@ static void a_hook_is_straight_then_round(void)
     CHECK_OK(make(shapes,
                   "rod: {length_mm: 60, rest: {curvature_x_per_m: \"s < 0.0237 ? 0 : 50\"}}\n"
                   "fem: {length_mm: 60, loads: []}\n",
-                  fine, 30, &m));
+                  fine, 24, &m));
     double tip[3];
     body_origin(&m.body, m.body.nlevel - 1, tip);
     const double bend = 50 * (0.06 - 0.0237);
