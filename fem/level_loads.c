@@ -4,6 +4,7 @@
 #include "base/beam_law.h"
 #include "base/memory.h"
 #include "fem/brick.h"
+#include "fem/face.h"
 #include "fem/level_fit.h"
 
 #include <string.h>
@@ -178,6 +179,70 @@ done:
     return st;
 }
 
+// --- pressures and tractions on faces
+
+typedef struct patch_loader {
+    loader *l;
+    const face_pressure *load;
+    int column;
+} patch_loader;
+
+// where a patch's forces on the ends of its layer are counted, NULL: not at all
+static vec6 *end_of(const loader *l, const face_pressure *load, const face_patch *p, int i,
+                    int column)
+{
+    const int own = l->s->last_layer - l->s->first_layer, order = l->p->body->order;
+    if (load->on.face < FACE_OUTSIDE || p->layer < l->s->first_layer) {
+        return NULL; // what acts on the end planes lies beyond the sections
+    }
+    if (p->level[i] == 0) {
+        return &l->out.on_base[column];
+    }
+    return p->level[i] == (p->layer + 1) * order
+               ? &l->out.on_top[column * own + p->layer - l->s->first_layer]
+               : NULL;
+}
+
+static status add_patch(void *self, const face_patch *p)
+{
+    const patch_loader *a = (const patch_loader *)self;
+    for (int i = 0; i < p->nnode; i++) {
+        double f[3] = {0}, x[3];
+        for (int q = 0; q < p->npoint; q++) {
+            for (int d = 0; d < 3; d++) {
+                const double t = a->load->traction[d] - a->load->pressure * p->normal[q][d];
+                f[d] += p->N[q][i] * p->dA[q] * t;
+            }
+        }
+        double *to = level_of(a->l, a->column, p->level[i]) + 3 * (size_t)p->plane_node[i];
+        vec6 *end = end_of(a->l, a->load, p, i, a->column);
+        body_node(a->l->p->body, p->plane_node[i], p->level[i], x);
+        for (int d = 0; d < 3; d++) {
+            to[d] += f[d];
+        }
+        if (end) {
+            *end = vec6_add(*end, force_at(f, x));
+        }
+    }
+    return OK;
+}
+
+static status load_faces(loader *l)
+{
+    status st = OK;
+    const body *b = l->p->body;
+    for (int j = 0; j < l->p->nextra; j++) {
+        for (int k = 0; k < l->p->extra[j].npressure; k++) {
+            patch_loader a = {l, &l->p->extra[j].pressure[k], 6 + j};
+            TRY(face_check(b, &a.load->on));
+            TRY(face_walk(b, &a.load->on, l->s->from / b->order, l->s->last_layer, add_patch, &a));
+        }
+    }
+
+done:
+    return st;
+}
+
 // --- what balances them where the base is free to contract
 
 // resultants of this rank's own levels about the base's origin; a rigid cap's unit wrenches act at
@@ -251,6 +316,7 @@ static status load_levels(loader *l)
         TRY(load_tip(l));
     }
     TRY(load_volume(l));
+    TRY(load_faces(l));
 
 done:
     return st;
@@ -286,17 +352,11 @@ void level_loads_gather(const level_loads *l, const segment_problem *p, const un
                         double *b)
 {
     const level_share *s = &u->share;
-    const size_t held = (size_t)(s->to - s->from), rows = 3 * (size_t)(u->last - u->first);
-    memset(b, 0, (size_t)l->ncolumn * rows * sizeof *b);
+    const size_t held = 3 * (size_t)(s->to - s->from) * (size_t)u->nplane;
+    const size_t rows = 3 * (size_t)(u->last - u->first);
     for (int j = 0; j < l->ncolumn; j++) {
         double *to = b + (size_t)j * rows;
-        for (int level = s->first; level < s->last; level++) {
-            const double *f =
-                l->force + ((size_t)j * held + (size_t)(level - s->from)) * 3 * (size_t)u->nplane;
-            for (int i = 0; i < u->nplane; i++) {
-                unknowns_add_force(u, i, level, f + 3 * (size_t)i, to);
-            }
-        }
+        unknowns_gather(u, l->force + (size_t)j * held, to);
         if (j < 6 && p->tip == TIP_RIGID && unknowns_has_tip(u)) {
             to[3 * (u->cap_block - u->first) + j] += j < 3 ? 1 : 1 / u->radius;
         }

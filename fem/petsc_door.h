@@ -43,6 +43,8 @@ typedef struct petsc_door {
     // (all) Values to the rank before this one, and from the one after; ranks without any to send
     // or to get say 0, and the pairs must agree.
     void (*pass_down)(int nsend, const double *send, int nget, double *get);
+    // (all) The same to the rank after this one, from the one before.
+    void (*pass_up)(int nsend, const double *send, int nget, double *get);
 
     // (all)
     status (*matrix_make)(const petsc_pattern *pattern, petsc_matrix **out);

@@ -161,18 +161,28 @@ static void largest(int n, double *v)
     (void)MPI_Allreduce(MPI_IN_PLACE, v, n, MPI_DOUBLE, MPI_MAX, PETSC_COMM_WORLD);
 }
 
-static void pass_down(int nsend, const double *send, int nget, double *get)
+static void pass(int to, int nsend, const double *send, int nget, double *get)
 {
     int rank = 0;
     (void)MPI_Comm_rank(PETSC_COMM_WORLD, &rank);
     MPI_Request request = MPI_REQUEST_NULL;
     if (nget > 0) {
-        (void)MPI_Irecv(get, nget, MPI_DOUBLE, rank + 1, 0, PETSC_COMM_WORLD, &request);
+        (void)MPI_Irecv(get, nget, MPI_DOUBLE, rank - to, 0, PETSC_COMM_WORLD, &request);
     }
     if (nsend > 0) {
-        (void)MPI_Send(send, nsend, MPI_DOUBLE, rank - 1, 0, PETSC_COMM_WORLD);
+        (void)MPI_Send(send, nsend, MPI_DOUBLE, rank + to, 0, PETSC_COMM_WORLD);
     }
     (void)MPI_Wait(&request, MPI_STATUS_IGNORE);
+}
+
+static void pass_down(int nsend, const double *send, int nget, double *get)
+{
+    pass(-1, nsend, send, nget, get);
+}
+
+static void pass_up(int nsend, const double *send, int nget, double *get)
+{
+    pass(1, nsend, send, nget, get);
 }
 
 const petsc_door *stiffaxis_petsc_door(void);
@@ -184,6 +194,7 @@ const petsc_door *stiffaxis_petsc_door(void)
                                     .sum = sum,
                                     .largest = largest,
                                     .pass_down = pass_down,
+                                    .pass_up = pass_up,
                                     .matrix_make = petsc_matrix_make,
                                     .matrix_add = petsc_matrix_add,
                                     .matrix_factor = petsc_matrix_factor,

@@ -242,3 +242,13 @@ void unknowns_add_force(const unknowns *u, int plane_node, int level, const doub
         }
     }
 }
+
+void unknowns_gather(const unknowns *u, const double *force, double *b)
+{
+    memset(b, 0, 3 * (size_t)(u->last - u->first) * sizeof *b);
+    for (int level = u->share.first; level < u->share.last; level++) {
+        for (int i = 0; i < u->nplane; i++) {
+            unknowns_add_force(u, i, level, force + 3 * unknowns_index(u, i, level), b);
+        }
+    }
+}

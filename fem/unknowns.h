@@ -103,3 +103,6 @@ void unknowns_expand(const unknowns *u, int level, const double *blocks, const d
 // nor to directions that are held; the cap gathers its nodes' forces.
 void unknowns_add_force(const unknowns *u, int plane_node, int level, const double *force,
                         double *b);
+
+// The same of all nodes: force [to - from][nplane][3] of the levels held, b [last - first][3] anew.
+void unknowns_gather(const unknowns *u, const double *force, double *b);

@@ -1,74 +1,11 @@
 // fem/way_resultant.c
 // The resultants of the stresses on every level, by the work of nodal forces on rigid motions.
 // docs/theory.md (5.13)
-#include "fem/way_fill.h"
+#include "fem/level_forces.h"
 
 #include "base/memory.h"
-#include "fem/brick.h"
 
 #include <string.h>
-
-// Inner forces of layers: the sums of their nodes' forces, level by level.
-typedef struct inner_forces {
-    const way_field *f;
-    brick *brick;
-    double *K, *u;
-    vec6 *sum; // [ncolumn][layers][order + 1] about the base's origin
-} inner_forces;
-
-static vec6 *sum_of(const inner_forces *s, int column, int layer)
-{
-    const int own = s->f->share.last_layer - s->f->share.first_layer, p = s->f->p->body->order;
-    return s->sum + ((size_t)column * (size_t)own + (size_t)(layer - s->f->share.first_layer)) *
-                        (size_t)(p + 1);
-}
-
-// f = K u of one element, summed as wrenches
-static void add_element(inner_forces *s, const int *conn, int n2, int layer)
-{
-    const body *b = s->f->p->body;
-    const int p = b->order, n = 3 * n2 * (p + 1);
-    for (int j = 0; j < problem_columns(s->f->p); j++) {
-        vec6 *sum = sum_of(s, j, layer);
-        way_field_gather(s->f, j, conn, n2, layer, s->u);
-        for (int i = 0; i < n / 3; i++) {
-            vec3 x, force = {0};
-            for (int d = 0; d < 3; d++) {
-                const double *row = s->K + (size_t)(3 * i + d) * (size_t)n;
-                for (int c = 0; c < n; c++) {
-                    force.a[d] += row[c] * s->u[c];
-                }
-            }
-            body_node(b, conn[i % n2], layer * p + i / n2, x.a);
-            const vec3 m = vec3_cross(x, force);
-            for (int d = 0; d < 3; d++) {
-                sum[i / n2].a[d] += force.a[d];
-                sum[i / n2].a[3 + d] += m.a[d];
-            }
-        }
-    }
-}
-
-static status add_elements(inner_forces *s)
-{
-    status st = OK;
-    const body *b = s->f->p->body;
-    for (int block = 0; block < b->plane->nblock; block++) {
-        const mesh_block *k = &b->plane->block[block];
-        for (int e = 0; e < k->nelem; e++) {
-            TRY(brick_stand_on(s->brick, block, e));
-            for (int layer = s->f->share.first_layer; layer < s->f->share.last_layer; layer++) {
-                if (body_material(b, block, e, layer) >= 0) {
-                    TRY(brick_stiffness(s->brick, layer, s->K));
-                    add_element(s, k->conn + (size_t)e * (size_t)k->per_elem, k->per_elem, layer);
-                }
-            }
-        }
-    }
-
-done:
-    return st;
-}
 
 // --- from forces of nodes to resultants inside a layer
 
@@ -136,6 +73,15 @@ static line_weights line_weights_of(const element *line)
     return w;
 }
 
+static vec6 inside(const line_weights *w, int k, const vec6 *force)
+{
+    vec6 here = {0};
+    for (int l = 1; l <= w->p; l++) {
+        here = vec6_add(here, vec6_scale(w->a[k][l], force[l]));
+    }
+    return here;
+}
+
 static vec6 about_section(const body *b, vec6 w, int level)
 {
     const double zero[3] = {0};
@@ -144,54 +90,140 @@ static vec6 about_section(const body *b, vec6 w, int level)
     return wrench_moved(w, zero, origin);
 }
 
-// Upper ends of layers by the nodes' forces there, without what the layer's own loads put on them;
-// levels inside by the polynomial; the base as the upper ends.
-static void fill_layer(const inner_forces *s, const line_weights *w, int column, int layer,
-                       vec6 *resultant)
+// --- of stresses
+
+// Upper ends of layers by the nodes' forces there, without what loads and springs on the layer put
+// on them; levels inside by the polynomial; the base as the upper ends.
+static void fill_layer(const way_field *f, const level_forces *inner, const line_weights *w,
+                       int column, int layer, vec6 *resultant)
 {
-    const level_share *share = &s->f->share;
-    const body *b = s->f->p->body;
-    const int p = b->order, own = share->last_layer - share->first_layer;
-    const vec6 *sum = sum_of(s, column, layer);
-    const level_loads *loads = s->f->loads;
+    const body *b = f->p->body;
+    const int p = b->order, own = f->share.last_layer - f->share.first_layer;
+    const int at = column * own + layer - f->share.first_layer;
+    const vec6 *sum = inner->sum + (size_t)at * (size_t)(p + 1);
     for (int k = 1; k < p; k++) {
-        vec6 here = {0};
-        for (int l = 1; l <= p; l++) {
-            here = vec6_add(here, vec6_scale(w->a[k][l], sum[l]));
-        }
-        resultant[layer * p + k] = about_section(b, here, layer * p + k);
+        resultant[layer * p + k] = about_section(b, inside(w, k, sum), layer * p + k);
     }
-    const vec6 end = vec6_sub(sum[p], loads->on_top[column * own + layer - share->first_layer]);
-    resultant[(layer + 1) * p] = about_section(b, end, (layer + 1) * p);
+    const vec6 loads = vec6_sub(f->loads->on_top[at], inner->sprung_top[at]);
+    resultant[(layer + 1) * p] = about_section(b, vec6_sub(sum[p], loads), (layer + 1) * p);
     if (layer == 0) {
-        const vec6 base = vec6_sub(loads->on_base[column], sum[0]);
-        resultant[0] = about_section(b, base, 0);
+        const vec6 low = vec6_sub(f->loads->on_base[column], inner->sprung_base[column]);
+        resultant[0] = about_section(b, vec6_sub(low, sum[0]), 0);
     }
 }
 
-status way_resultants(const way_field *f, vec6 *resultant)
+void way_resultants(const way_field *f, const level_forces *inner, vec6 *resultant)
 {
-    status st = OK;
-    inner_forces s = {.f = f};
     const body *b = f->p->body;
-    const int ncolumn = problem_columns(f->p);
-    const size_t layers = (size_t)(f->share.last_layer - f->share.first_layer);
     const line_weights w = line_weights_of(&b->line);
-    TRY(TAKE(s.sum, (size_t)ncolumn * layers * (size_t)(b->order + 1)));
-    TRY(TAKE(s.K, (size_t)BRICK_MAX_DOFS * BRICK_MAX_DOFS));
-    TRY(TAKE(s.u, BRICK_MAX_DOFS));
-    TRY(brick_make(b, &s.brick));
-    TRY(add_elements(&s));
-    for (int j = 0; j < ncolumn; j++) {
+    for (int j = 0; j < problem_columns(f->p); j++) {
         for (int layer = f->share.first_layer; layer < f->share.last_layer; layer++) {
-            fill_layer(&s, &w, j, layer, resultant + (size_t)j * (size_t)b->nlevel);
+            fill_layer(f, inner, &w, j, layer, resultant + (size_t)j * (size_t)b->nlevel);
         }
     }
+}
+
+// --- of what acts beyond
+
+typedef struct beyond {
+    vec6 *on_level; // [nlevel] loads, springs and holds on the nodes of a level
+    vec6 *on_top;   // [nlayer] of those what the layer below has on the level
+    vec6 *on_base;  // [1] what the first layer has on the base
+} beyond;
+
+static vec6 wrench_of(vec3 force, const double *x)
+{
+    const vec3 m = vec3_cross((vec3){{x[0], x[1], x[2]}}, force);
+    return (vec6){{force.a[0], force.a[1], force.a[2], m.a[0], m.a[1], m.a[2]}};
+}
+
+// Loads, and in held directions what holds them; about the base's origin.
+static void act_on_levels(const way_field *f, const level_forces *inner, int column, vec6 *on_level)
+{
+    const unknowns *u = f->unknowns;
+    for (int level = f->share.first; level < f->share.last; level++) {
+        const size_t at = way_field_offset(f, column, level);
+        for (int i = 0; i < u->nplane; i++) {
+            const double *load = f->loads->force + at + 3 * (size_t)i;
+            const double *force = inner->force + at + 3 * (size_t)i;
+            double x[3];
+            vec3 t;
+            body_node(f->p->body, i, level, x);
+            for (int d = 0; d < 3; d++) {
+                t.a[d] = unknowns_is_held(u, i, level, d) ? force[d] : load[d];
+            }
+            on_level[level] = vec6_add(on_level[level], wrench_of(t, x));
+        }
+        on_level[level] =
+            vec6_sub(on_level[level], inner->sprung[(size_t)column * (size_t)u->nlevel + (size_t)level]);
+    }
+}
+
+static void fill_beyond(const way_field *f, const level_forces *inner, int column, beyond *out)
+{
+    const level_share *s = &f->share;
+    const double zero[3] = {0};
+    const int own = s->last_layer - s->first_layer, top = f->p->body->nlevel - 1;
+    act_on_levels(f, inner, column, out->on_level);
+    if (column < 6 && f->p->tip == TIP_RIGID && unknowns_has_tip(f->unknowns)) {
+        double tip[3];
+        vec6 unit = {0};
+        unit.a[column] = 1;
+        body_origin(f->p->body, top, tip);
+        out->on_level[top] = vec6_add(out->on_level[top], wrench_moved(unit, tip, zero));
+    }
+    for (int layer = s->first_layer; layer < s->last_layer; layer++) {
+        const int at = column * own + layer - s->first_layer;
+        out->on_top[layer] = vec6_sub(f->loads->on_top[at], inner->sprung_top[at]);
+    }
+    *out->on_base = vec6_sub(f->loads->on_base[column], inner->sprung_base[column]);
+}
+
+// layer by layer from the tip
+static void sum_beyond(const body *b, const line_weights *w, const beyond *from, vec6 *applied)
+{
+    const int p = b->order;
+    vec6 sum = {0}, force[ELEMENT_MAX_ORDER + 1];
+    for (int layer = b->nlayer - 1; layer >= 0; layer--) {
+        const int top = (layer + 1) * p;
+        sum = vec6_add(sum, from->on_level[top]);
+        applied[top] = vec6_sub(sum, from->on_top[layer]);
+        force[p] = sum;
+        for (int k = 1; k < p; k++) {
+            force[k] = from->on_level[layer * p + k];
+            sum = vec6_add(sum, force[k]);
+        }
+        for (int k = 1; k < p; k++) {
+            applied[layer * p + k] = inside(w, k, force);
+        }
+    }
+    applied[0] = vec6_add(sum, *from->on_base);
+}
+
+status way_applied(const way_field *f, const level_forces *inner, vec6 *applied)
+{
+    status st = OK;
+    const body *b = f->p->body;
+    const line_weights w = line_weights_of(&b->line);
+    const size_t many = (size_t)b->nlevel + (size_t)b->nlayer + 1;
+    vec6 *all = NULL, *here = NULL;
+    TRY(f->door->agree(TAKE(all, many)));
+    TRY(f->door->agree(TAKE(here, (size_t)b->nlevel)));
+    for (int j = 0; j < problem_columns(f->p); j++) {
+        beyond from = {all, all + b->nlevel, all + b->nlevel + b->nlayer};
+        vec6 *to = applied + (size_t)j * (size_t)b->nlevel;
+        memset(all, 0, many * sizeof *all);
+        fill_beyond(f, inner, j, &from);
+        f->door->sum(6 * (int)many, all->a);
+        sum_beyond(b, &w, &from, here);
+        for (int level = f->share.first; level < f->share.last; level++) {
+            to[level] = about_section(b, here[level], level);
+        }
+    }
+    f->door->sum(6 * problem_columns(f->p) * b->nlevel, applied->a);
 
 done:
-    free(s.sum);
-    free(s.K);
-    free(s.u);
-    brick_free(s.brick);
+    free(all);
+    free(here);
     return st;
 }

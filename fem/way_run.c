@@ -1,5 +1,5 @@
 // fem/way_run.c
-#include "fem/way_fill.h"
+#include "fem/level_forces.h"
 
 #include "base/beam_law.h"
 #include "base/memory.h"
@@ -18,27 +18,18 @@ void way_run_free(way_run *run)
     *run = (way_run){0};
 }
 
-void way_field_get_above(const petsc_door *door, const body *b, const level_share *s, int ncolumn,
-                         double *u)
+void way_field_exchange(const way_field *f)
 {
-    const size_t n = 3 * (size_t)b->plane->nnode, held = (size_t)way_field_levels(s, b->order);
-    const bool sends = s->first < s->last && s->rank > 0;
-    const bool gets = s->first < s->last && s->last < b->nlevel;
-    for (size_t j = 0; j < (size_t)ncolumn; j++) {
-        double *mine = u + j * held * n;
-        door->pass_down(sends ? (int)n : 0, mine, gets ? (int)n : 0,
-                        gets ? mine + (held - 1) * n : NULL);
-    }
-}
-
-void way_field_gather(const way_field *f, int column, const int *conn, int per_elem, int layer,
-                      double *u)
-{
-    const int p = f->p->body->order;
-    for (int k = 0; k <= p; k++) {
-        const double *from = way_field_level(f, column, layer * p + k);
-        for (int a = 0; a < per_elem; a++, u += 3) {
-            memcpy(u, from + 3 * (size_t)conn[a], 3 * sizeof *u);
+    const level_share *s = &f->share;
+    const int p = f->p->body->order, n = 3 * f->p->body->plane->nnode;
+    const bool busy = s->first < s->last, top = s->last == f->p->body->nlevel;
+    for (int j = 0; j < problem_columns(f->p); j++) {
+        const bool down = busy && s->rank > 0, above = busy && !top;
+        f->door->pass_down(down ? n : 0, down ? way_field_level(f, j, s->first) : NULL,
+                           above ? n : 0, above ? way_field_level(f, j, s->last) : NULL);
+        for (int k = 1; k <= p; k++) { // the last layer's levels are the next rank's layer below
+            f->door->pass_up(above ? n : 0, above ? way_field_level(f, j, s->last - k) : NULL,
+                             down ? n : 0, down ? way_field_level(f, j, s->first - k) : NULL);
         }
     }
 }
@@ -71,12 +62,11 @@ static void take_out(const body *b, int level, const double *origin, vec6 q, dou
     }
 }
 
-status way_field_centre(const way_field *f, double *u)
+status way_field_centre(const way_field *f)
 {
     status st = OK;
     const body *b = f->p->body;
     const int ncolumn = problem_columns(f->p);
-    const size_t n = 3 * (size_t)b->plane->nnode;
     double origin[3] = {0};
     vec6 *q = NULL;
     TRY(f->door->agree(TAKE(q, (size_t)ncolumn)));
@@ -84,9 +74,8 @@ status way_field_centre(const way_field *f, double *u)
     f->door->sum(3, origin);
     f->door->sum(6 * ncolumn, q->a);
     for (int j = 0; j < ncolumn; j++) {
-        for (int level = f->share.first; level < f->share.last; level++) {
-            const size_t at = (size_t)j * (size_t)f->nheld + (size_t)(level - f->share.first);
-            take_out(b, level, origin, q[j], u + at * n);
+        for (int level = f->share.from; level < f->share.to; level++) {
+            take_out(b, level, origin, q[j], way_field_level(f, j, level));
         }
     }
 
@@ -146,25 +135,26 @@ done:
 static status keep_field(const way_field *f, way_run *run)
 {
     status st = OK;
-    const size_t n = 3 * (size_t)f->p->body->plane->nnode;
-    run->first = f->share.first;
-    run->last = f->share.last;
-    const size_t own = (size_t)(run->last - run->first) * n;
-    TRY(TAKE(run->u, (size_t)run->ncolumn * own));
-    for (size_t j = 0; j < (size_t)run->ncolumn && own > 0; j++) {
-        memcpy(run->u + j * own, way_field_level(f, (int)j, run->first), own * sizeof *run->u);
-    }
+    const level_share *s = &f->share;
+    const size_t all = way_field_offset(f, run->ncolumn, s->from);
+    run->first = s->from;
+    run->last = s->to;
+    run->own_first = s->first;
+    run->own_last = s->last;
+    TRY(TAKE(run->u, all));
+    memcpy(run->u, f->u, all * sizeof *run->u);
 
 done:
     return st;
 }
 
-static status fill_own(const way_field *f, const way_wants *wants, way_run *run)
+static status fill_own(const way_field *f, const level_forces *inner, const way_wants *wants,
+                       way_run *run)
 {
     status st = OK;
     TRY(take_room(f, run));
     TRY(fit_motions(f, run->motion));
-    TRY(way_resultants(f, run->resultant));
+    way_resultants(f, inner, run->resultant);
     if (wants->fields) {
         TRY(keep_field(f, run));
     }
@@ -173,15 +163,33 @@ done:
     return st;
 }
 
-status way_fill(const way_field *f, const way_wants *wants, way_run *out)
+// whether anything but wrenches on the tip puts forces on the body
+static bool has_more_loads(const segment_problem *p)
+{
+    bool more = p->nspring > 0 || p->nhold > 0;
+    for (int j = 0; j < p->nextra; j++) {
+        const load_column *c = &p->extra[j];
+        more = more || c->npressure > 0 || c->holds_move;
+        for (int d = 0; d < 3; d++) {
+            more = more || c->body_force[d] != 0 || c->acceleration[d] != 0;
+        }
+    }
+    return more;
+}
+
+status way_fill(const way_field *f, const level_forces *inner, const way_wants *wants, way_run *out)
 {
     status st = OK;
     out->ncolumn = problem_columns(f->p);
     out->nlevel = f->p->body->nlevel;
     const int many = 6 * out->ncolumn * out->nlevel;
-    TRY(f->door->agree(fill_own(f, wants, out)));
+    TRY(f->door->agree(fill_own(f, inner, wants, out)));
     f->door->sum(many, out->motion->a);
     f->door->sum(many, out->resultant->a);
+    if (has_more_loads(f->p)) {
+        TRY(f->door->agree(TAKE(out->applied, (size_t)(many / 6))));
+        TRY(way_applied(f, inner, out->applied));
+    }
     TRY(way_window_energy(f, wants, out->motion, &out->energy));
 
 done:
