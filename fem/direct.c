@@ -4,8 +4,8 @@
 
 #include "base/memory.h"
 #include "fem/direct_matrix.h"
+#include "fem/level_forces.h"
 #include "fem/refined_solve.h"
-#include "fem/way_fill.h"
 
 #include <string.h>
 #include <time.h>
@@ -22,23 +22,27 @@ typedef struct direct {
     const segment_problem *p;
     unknowns u;
     level_loads loads;
-    direct_matrix m;
+    petsc_matrix *matrix;
     petsc_factors factors;
     int ncolumn;
-    size_t rows;   // 3 x this rank's blocks
-    double *b, *x; // [ncolumn][rows]
-    double *field; // as way_field's
+    size_t rows; // 3 x this rank's blocks
+    double *f;   // [ncolumn][rows] loads
+    double *b;   // the same without what held directions that move put on the others
+    double *x;   // solutions
+    way_field field;
+    level_forces inner;
 } direct;
 
 static void direct_free(direct *d)
 {
-    if (d->m.matrix) {
-        d->door->matrix_free(d->m.matrix);
+    if (d->matrix) {
+        d->door->matrix_free(d->matrix);
     }
-    free(d->m.moved);
+    free(d->f);
     free(d->b);
     free(d->x);
-    free(d->field);
+    free(d->field.u);
+    level_forces_free(&d->inner);
     level_loads_free(&d->loads);
     unknowns_free(&d->u);
 }
@@ -48,24 +52,55 @@ static bool column_moves(const segment_problem *p, int column)
     return column >= 6 && p->extra[column - 6].holds_move;
 }
 
-// --- right-hand sides
+static bool any_column_moves(const segment_problem *p)
+{
+    bool any = false;
+    for (int j = 0; j < problem_columns(p); j++) {
+        any = any || column_moves(p, j);
+    }
+    return any;
+}
 
-static status make_loads(direct *d)
+// --- unknowns -> displacements -> forces
+
+// (all)
+static void expand(direct *d, const double *x)
+{
+    const unknowns *u = &d->u;
+    for (int j = 0; j < d->ncolumn; j++) {
+        const double *mine = x + (size_t)j * d->rows;
+        const double *cap =
+            unknowns_has_tip(u) && u->cap ? mine + 3 * (u->cap_block - u->first) : NULL;
+        for (int level = u->share.first; level < u->share.last; level++) {
+            unknowns_expand(u, level, mine + 3 * (size_t)(u->start[level] - u->first), cap,
+                            column_moves(d->p, j), way_field_level(&d->field, j, level));
+        }
+    }
+    way_field_exchange(&d->field);
+}
+
+// (all) f - K u, element by element
+static status residual(void *self, const double *x, double *r)
 {
     status st = OK;
-    const size_t all = (size_t)d->ncolumn * d->rows;
-    TRY(TAKE(d->b, all));
-    TRY(TAKE(d->x, all));
-    level_loads_gather(&d->loads, d->p, &d->u, d->b);
+    direct *d = (direct *)self;
+    expand(d, x);
+    TRY(d->door->agree(level_forces_find(&d->field, &d->inner)));
     for (int j = 0; j < d->ncolumn; j++) {
-        for (size_t i = 0; d->m.moved && column_moves(d->p, j) && i < d->rows; i++) {
-            d->b[(size_t)j * d->rows + i] -= d->m.moved[i];
+        double *to = r + (size_t)j * d->rows;
+        const double *f = d->f + (size_t)j * d->rows;
+        unknowns_gather(&d->u, d->inner.force + way_field_offset(&d->field, j, d->u.share.from),
+                        to);
+        for (size_t i = 0; i < d->rows; i++) {
+            to[i] = f[i] - to[i];
         }
     }
 
 done:
     return st;
 }
+
+// --- work
 
 static double dot(size_t n, const double *a, const double *b)
 {
@@ -76,8 +111,20 @@ static double dot(size_t n, const double *a, const double *b)
     return sum;
 }
 
-// u_i^T K u_j of the whole displacements: with moving holds, b = f - g and their own work,
-// x_i.f_j + m_i g.x_j + m_i m_j h.  docs/theory.md (5.13)
+// of the forces of column j that hold held directions, on their motion
+static double held_work(const direct *d, int j)
+{
+    const unknowns *u = &d->u;
+    const size_t n = 3 * (size_t)u->nplane;
+    double sum = 0;
+    for (int level = u->share.first; level < u->share.last; level++) {
+        const double *motion = u->motion + 3 * unknowns_index(u, 0, level);
+        sum += dot(n, motion, d->inner.force + way_field_offset(&d->field, j, level));
+    }
+    return sum;
+}
+
+// u_i^T K u_j: of loads, and of what holds moving directions
 static status find_work(const direct *d, way_run *run)
 {
     status st = OK;
@@ -85,15 +132,10 @@ static status find_work(const direct *d, way_run *run)
     TRY(d->door->agree(TAKE(run->work, n * n)));
     for (size_t i = 0; i < n; i++) {
         for (size_t j = 0; j < n; j++) {
-            const double *x_i = d->x + i * d->rows, *x_j = d->x + j * d->rows;
             double *w = &run->work[i * n + j];
-            *w = dot(d->rows, x_i, d->b + j * d->rows);
-            if (d->m.moved && column_moves(d->p, (int)j)) {
-                *w += dot(d->rows, x_i, d->m.moved);
-            }
-            if (d->m.moved && column_moves(d->p, (int)i)) {
-                *w += dot(d->rows, x_j, d->m.moved);
-                *w += column_moves(d->p, (int)j) ? d->m.held_work : 0;
+            *w = dot(d->rows, d->x + i * d->rows, d->f + j * d->rows);
+            if (d->u.motion && column_moves(d->p, (int)i)) {
+                *w += held_work(d, (int)j);
             }
         }
     }
@@ -103,46 +145,14 @@ done:
     return st;
 }
 
-// --- displacements
-
-static status expand(direct *d)
-{
-    status st = OK;
-    const unknowns *u = &d->u;
-    const size_t n = 3 * (size_t)u->nplane;
-    const size_t held = (size_t)way_field_levels(&u->share, d->p->body->order);
-    TRY(TAKE(d->field, (size_t)d->ncolumn * held * n));
-    for (int j = 0; j < d->ncolumn; j++) {
-        const double *x = d->x + (size_t)j * d->rows;
-        const double *cap =
-            unknowns_has_tip(u) && u->cap ? x + 3 * (u->cap_block - u->first) : NULL;
-        for (int level = u->share.first; level < u->share.last; level++) {
-            double *to = d->field + ((size_t)j * held + (size_t)(level - u->share.first)) * n;
-            unknowns_expand(u, level, x + 3 * (u->start[level] - u->first), cap,
-                            column_moves(d->p, j), to);
-        }
-    }
-
-done:
-    return st;
-}
-
 static status fill(direct *d, const way_wants *wants, way_run *run)
 {
     status st = OK;
-    const level_share *share = &d->u.share;
-    TRY(d->door->agree(expand(d)));
-    const way_field field = {.door = d->door,
-                             .p = d->p,
-                             .share = *share,
-                             .loads = &d->loads,
-                             .nheld = way_field_levels(share, d->p->body->order),
-                             .u = d->field};
+    expand(d, d->x);
     if (d->p->base == BASE_FREE_TO_CONTRACT) {
-        TRY(way_field_centre(&field, d->field));
+        TRY(way_field_centre(&d->field));
     }
-    way_field_get_above(d->door, d->p->body, share, d->ncolumn, d->field);
-    TRY(way_fill(&field, wants, run));
+    TRY(way_fill(&d->field, &d->inner, wants, run));
     TRY(find_work(d, run));
 
 done:
@@ -156,15 +166,63 @@ static bool is_cancelled(const way_wants *wants)
     return wants->cancelled && wants->cancelled();
 }
 
+static status take_room(direct *d)
+{
+    status st = OK;
+    const size_t all = (size_t)d->ncolumn * d->rows;
+    TRY(TAKE(d->f, all));
+    TRY(TAKE(d->b, all));
+    TRY(TAKE(d->x, all));
+    TRY(TAKE(d->field.u, way_field_offset(&d->field, d->ncolumn, d->u.share.from)));
+    TRY(level_forces_take(&d->field, &d->inner));
+    level_loads_gather(&d->loads, d->p, &d->u, d->f);
+
+done:
+    return st;
+}
+
 static status prepare(direct *d, const level_share *share)
 {
     status st = OK;
     TRY(d->door->agree(unknowns_make(d->p, *share, &d->u)));
+    TRY(unknowns_check_supports(d->door, d->p, &d->u));
     d->ncolumn = problem_columns(d->p);
     d->rows = 3 * (size_t)(d->u.last - d->u.first);
+    d->field = (way_field){
+        .door = d->door, .p = d->p, .share = *share, .unknowns = &d->u, .loads = &d->loads};
     TRY(level_loads_make(d->door, d->p, share, &d->loads));
-    TRY(direct_matrix_make(d->door, d->p, &d->u, &d->m));
-    TRY(d->door->agree(make_loads(d)));
+    TRY(direct_matrix_make(d->door, d->p, &d->u, &d->matrix));
+    TRY(d->door->agree(take_room(d)));
+    memcpy(d->b, d->f, (size_t)d->ncolumn * d->rows * sizeof *d->b);
+    if (any_column_moves(d->p)) {
+        TRY(residual(d, d->x, d->b)); // x = 0: held directions alone move
+    }
+
+done:
+    return st;
+}
+
+// forces that are off by more of themselves are found anew
+static const double STALE = 1e-10;
+
+static status solve_refined(direct *d, double *worst)
+{
+    status st = OK;
+    const refined_system s = {.door = d->door,
+                              .matrix = d->matrix,
+                              .norm = d->factors.norm,
+                              .n = d->rows,
+                              .ncol = d->ncolumn,
+                              .b = d->b,
+                              .residual = residual,
+                              .self = d};
+    refined_answer answer = {0};
+    TRY(refined_solve(&s, d->x, &answer));
+    *worst = answer.residual;
+    if (answer.moved > STALE) {
+        expand(d, d->x);
+        TRY(d->door->agree(level_forces_find(&d->field, &d->inner)));
+    }
 
 done:
     return st;
@@ -182,10 +240,9 @@ static status solve(direct *d, const way_wants *wants, way_run *run)
     if (is_cancelled(wants)) {
         TRY(status_fail(ERR_INTERRUPTED, "interrupted"));
     }
-    TRY(d->door->matrix_factor(d->m.matrix, &d->factors));
+    TRY(d->door->matrix_factor(d->matrix, &d->factors));
     const double factored = cpu_seconds();
-    TRY(refined_solve(d->door, d->m.matrix, d->factors.norm, d->rows, d->ncolumn, d->b, d->x,
-                      &run->residual));
+    TRY(solve_refined(d, &run->residual));
     TRY(fill(d, wants, run));
     run->dofs = 3 * (long long)d->u.nblock;
     run->assemble_seconds = assembled - begin;

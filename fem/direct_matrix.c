@@ -3,23 +3,24 @@
 
 #include "base/memory.h"
 #include "fem/brick.h"
+#include "fem/face.h"
 
 #include <string.h>
 
 typedef struct builder {
     const petsc_door *door;
+    const segment_problem *p;
     const unknowns *u;
-    direct_matrix out;
+    petsc_matrix *matrix;
     brick *brick;
     double *K;    // of one element
     double *tied; // the same with the tip's nodes tied to the cap
-    double *r;    // forces of its nodes where holds move
 } builder;
 
-// Nodes of one element: plane nodes `node` on `nlevel` levels from `level`, the highest last.
+// Nodes of one element; those of the tip are the last.
 typedef struct element_nodes {
-    const int *node;
-    int nplane, level, nlevel;
+    int n;
+    int node[BRICK_MAX_NODES], level[BRICK_MAX_NODES]; // of the plane mesh
 } element_nodes;
 
 static void builder_free(builder *a)
@@ -27,66 +28,25 @@ static void builder_free(builder *a)
     brick_free(a->brick);
     free(a->K);
     free(a->tied);
-    free(a->r);
-    free(a->out.moved);
 }
 
 // --- held directions
 
-static double motion_of(const unknowns *u, int node, int level, int d)
-{
-    return unknowns_is_held(u, node, level, d)
-               ? u->motion[3 * unknowns_index(u, node, level) + (size_t)d]
-               : 0;
-}
-
-// what nodes feel where held directions move
-static void add_moved(builder *a, const element_nodes *e, bool own_layer)
-{
-    const int n = 3 * e->nplane * e->nlevel;
-    memset(a->r, 0, (size_t)n * sizeof *a->r);
-    for (int c = 0; c < n; c++) {
-        const int i = c / 3;
-        const double m = motion_of(a->u, e->node[i % e->nplane], e->level + i / e->nplane, c % 3);
-        for (int r = 0; m != 0 && r < n; r++) {
-            a->r[r] += a->K[(size_t)c * (size_t)n + (size_t)r] * m;
-        }
-    }
-    for (int i = 0; i < e->nplane * e->nlevel; i++) {
-        const int node = e->node[i % e->nplane], level = e->level + i / e->nplane;
-        unknowns_add_force(a->u, node, level, a->r + 3 * i, a->out.moved);
-        for (int d = 0; own_layer && d < 3; d++) {
-            a->out.held_work += motion_of(a->u, node, level, d) * a->r[3 * i + d];
-        }
-    }
-}
-
 // held unknowns keep their diagonal only, so that the matrix stays positive definite and its blocks
 // whole
-static void hold(builder *a, const element_nodes *e)
+static void hold(const unknowns *u, const element_nodes *e, double *K)
 {
-    const int n = 3 * e->nplane * e->nlevel;
-    for (int r = 0; r < n; r++) {
-        const int i = r / 3;
-        if (!unknowns_is_held(a->u, e->node[i % e->nplane], e->level + i / e->nplane, r % 3)) {
+    const int n = 3 * e->n;
+    for (int r = 0; u->held && r < n; r++) {
+        if (!unknowns_is_held(u, e->node[r / 3], e->level[r / 3], r % 3)) {
             continue;
         }
-        const double keep = a->K[r * n + r];
+        const double keep = K[r * n + r];
         for (int c = 0; c < n; c++) {
-            a->K[r * n + c] = a->K[c * n + r] = 0;
+            K[r * n + c] = K[c * n + r] = 0;
         }
-        a->K[r * n + r] = keep;
+        K[r * n + r] = keep;
     }
-}
-
-static bool any_held(const unknowns *u, const element_nodes *e)
-{
-    for (int i = 0; u->held && i < e->nplane * e->nlevel; i++) {
-        if (u->held[unknowns_index(u, e->node[i % e->nplane], e->level + i / e->nplane)]) {
-            return true;
-        }
-    }
-    return false;
 }
 
 // --- the cap
@@ -103,13 +63,13 @@ static void tie_row(const double *row, int n, const double (*T)[3][6], double *o
     }
 }
 
-// T^T K T: the nodes of the last level become the two blocks of the cap. (5.7)
-static void tie_to_cap(builder *a, const element_nodes *e)
+// T^T K T: the last n nodes become the two blocks of the cap. (5.7)
+static void tie_to_cap(builder *a, const element_nodes *e, int n)
 {
-    const int n = e->nplane, all = 3 * n * e->nlevel, kept = all - 3 * n, size = kept + 6;
+    const int all = 3 * e->n, kept = all - 3 * n, size = kept + 6;
     double T[ELEMENT_MAX_PLANE_NODES][3][6], part[6];
     for (int i = 0; i < n; i++) {
-        unknowns_cap_motion(a->u, e->node[i], T[i]);
+        unknowns_cap_motion(a->u, e->node[e->n - n + i], T[i]);
     }
     memset(a->tied, 0, (size_t)size * (size_t)size * sizeof *a->tied);
     for (int r = 0; r < all; r++) {
@@ -133,26 +93,22 @@ static void tie_to_cap(builder *a, const element_nodes *e)
 
 // --- elements
 
-static status add(builder *a, const element_nodes *e, bool own_layer)
+static status add(builder *a, const element_nodes *e)
 {
-    int block[BRICK_MAX_NODES + 2];
-    const int n = e->nplane * e->nlevel, kept = n - e->nplane;
-    if (any_held(a->u, e)) {
-        if (a->u->motion) {
-            add_moved(a, e, own_layer);
-        }
-        hold(a, e);
+    int block[BRICK_MAX_NODES + 2], capped = 0;
+    hold(a->u, e, a->K);
+    for (int i = 0; i < e->n; i++) {
+        block[i] = unknowns_block(a->u, e->node[i], e->level[i]);
+        capped += unknowns_follow_cap(a->u, e->level[i]);
     }
-    for (int i = 0; i < n; i++) {
-        block[i] = unknowns_block(a->u, e->node[i % e->nplane], e->level + i / e->nplane);
+    if (!capped) {
+        return a->door->matrix_add(a->matrix, e->n, block, a->K);
     }
-    if (!unknowns_follow_cap(a->u, e->level + e->nlevel - 1)) {
-        return a->door->matrix_add(a->out.matrix, n, block, a->K);
-    }
-    tie_to_cap(a, e);
+    tie_to_cap(a, e, capped);
+    const int kept = e->n - capped;
     block[kept] = a->u->cap_block;
     block[kept + 1] = a->u->cap_block + 1;
-    return a->door->matrix_add(a->out.matrix, kept + 2, block, a->tied);
+    return a->door->matrix_add(a->matrix, kept + 2, block, a->tied);
 }
 
 static status add_brick(builder *a, int block, int e, int layer)
@@ -160,12 +116,13 @@ static status add_brick(builder *a, int block, int e, int layer)
     status st = OK;
     const body *b = a->u->body;
     const mesh_block *k = &b->plane->block[block];
-    const element_nodes nodes = {.node = k->conn + (size_t)e * (size_t)k->per_elem,
-                                 .nplane = k->per_elem,
-                                 .level = layer * b->order,
-                                 .nlevel = b->order + 1};
+    element_nodes nodes = {.n = k->per_elem * (b->order + 1)};
+    for (int i = 0; i < nodes.n; i++) {
+        nodes.node[i] = k->conn[e * k->per_elem + i % k->per_elem];
+        nodes.level[i] = layer * b->order + i / k->per_elem;
+    }
     TRY(brick_stiffness(a->brick, layer, a->K));
-    TRY(add(a, &nodes, layer >= a->u->share.first_layer));
+    TRY(add(a, &nodes));
 
 done:
     return st;
@@ -187,6 +144,50 @@ static status add_bricks(builder *a)
             }
         }
     }
+
+done:
+    return st;
+}
+
+// --- springs
+
+typedef struct spring_adder {
+    builder *a;
+    const face_spring *spring;
+} spring_adder;
+
+static status add_patch(void *self, const face_patch *p)
+{
+    const spring_adder *s = (const spring_adder *)self;
+    element_nodes nodes = {.n = p->nnode};
+    for (int i = 0; i < p->nnode; i++) {
+        nodes.node[i] = p->plane_node[i];
+        nodes.level[i] = p->level[i];
+    }
+    face_spring_matrix(p, s->spring, s->a->K);
+    return add(s->a, &nodes);
+}
+
+static status add_springs(builder *a)
+{
+    status st = OK;
+    const body *b = a->u->body;
+    const int first = a->u->share.from / b->order, last = a->u->share.last_layer;
+    for (int i = 0; i < a->p->nspring; i++) {
+        spring_adder s = {a, &a->p->spring[i]};
+        TRY(face_check(b, &s.spring->on));
+        TRY(face_walk(b, &s.spring->on, first, last, add_patch, &s));
+    }
+
+done:
+    return st;
+}
+
+static status add_all(builder *a)
+{
+    status st = OK;
+    TRY(add_bricks(a));
+    TRY(add_springs(a));
 
 done:
     return st;
@@ -218,7 +219,7 @@ static status make_matrix(builder *a)
                                   .nabove = unknowns_above(u),
                                   .diagonal = own,
                                   .beyond = beyond};
-    TRY(a->door->matrix_make(&wanted, &a->out.matrix));
+    TRY(a->door->matrix_make(&wanted, &a->matrix));
 
 done:
     free(own);
@@ -229,34 +230,29 @@ done:
 static status take_room(builder *a)
 {
     status st = OK;
-    const size_t dofs = BRICK_MAX_DOFS, rows = (size_t)(a->u->last - a->u->first);
+    const size_t dofs = BRICK_MAX_DOFS;
     TRY(brick_make(a->u->body, &a->brick));
     TRY(TAKE(a->K, dofs * dofs));
     TRY(TAKE(a->tied, dofs * dofs)); // the cap has six unknowns, a plane element nine or more
-    TRY(TAKE(a->r, dofs));
-    if (a->u->motion) {
-        TRY(TAKE(a->out.moved, 3 * rows));
-    }
 
 done:
     return st;
 }
 
 status direct_matrix_make(const petsc_door *door, const segment_problem *p, const unknowns *u,
-                          direct_matrix *out)
+                          petsc_matrix **out)
 {
     status st = OK;
-    builder a = {.door = door, .u = u};
-    (void)p;
+    builder a = {.door = door, .p = p, .u = u};
     TRY(door->agree(take_room(&a)));
     TRY(make_matrix(&a));
-    TRY(door->agree(add_bricks(&a)));
-    *out = a.out;
-    a.out = (direct_matrix){0};
+    TRY(door->agree(add_all(&a)));
+    *out = a.matrix;
+    a.matrix = NULL;
 
 done:
-    if (a.out.matrix) {
-        door->matrix_free(a.out.matrix);
+    if (a.matrix) {
+        door->matrix_free(a.matrix);
     }
     builder_free(&a);
     return st;

@@ -17,22 +17,6 @@ void level_loads_free(level_loads *l)
     *l = (level_loads){0};
 }
 
-vec6 wrench_moved(vec6 w, const double from[3], const double to[3])
-{
-    const vec3 arm = {{from[0] - to[0], from[1] - to[1], from[2] - to[2]}};
-    const vec3 turn = vec3_cross(arm, vec6_linear(w));
-    for (int i = 0; i < 3; i++) {
-        w.a[3 + i] += turn.a[i];
-    }
-    return w;
-}
-
-static vec6 force_at(const double *f, const double *x)
-{
-    const vec3 m = vec3_cross((vec3){{x[0], x[1], x[2]}}, (vec3){{f[0], f[1], f[2]}});
-    return (vec6){{f[0], f[1], f[2], m.a[0], m.a[1], m.a[2]}};
-}
-
 typedef struct loader {
     const petsc_door *door;
     const segment_problem *p;
@@ -45,22 +29,10 @@ typedef struct loader {
 
 static double *level_of(const loader *l, int column, int level)
 {
-    const size_t n = 3 * (size_t)l->p->body->plane->nnode, held = (size_t)(l->s->to - l->s->from);
-    return l->out.force + ((size_t)column * held + (size_t)(level - l->s->from)) * n;
+    return l->out.force + level_loads_offset(l->p->body, l->s, column, level);
 }
 
 // --- tractions on the end planes
-
-static void add_wrench(const loader *l, const level_fit *fit, int column, int level, vec6 w)
-{
-    const size_t n = 3 * (size_t)fit->nplane;
-    double *to = level_of(l, column, level);
-    for (size_t j = 0; j < 6; j++) {
-        for (size_t i = 0; w.a[j] != 0 && i < n; i++) {
-            to[i] += w.a[j] * fit->force[j * n + i];
-        }
-    }
-}
 
 // a uniform traction acts at the area's centroid
 static vec6 uniform_wrench(const body *b, const level_fit *area, const double *force)
@@ -83,15 +55,15 @@ static status load_tip(const loader *l)
         for (int j = 0; j < 6; j++) {
             vec6 w = {0};
             w.a[j] = 1;
-            add_wrench(l, &by_E, j, tip, w);
+            level_fit_add_wrench(&by_E, w, level_of(l, j, tip));
         }
     }
     for (int j = 0; j < l->p->nextra; j++) {
         if (l->p->extra[j].uniform_tip) {
             level_fit_free(&by_area);
             TRY(level_fit_make(b, tip, LEVEL_BY_AREA, &by_area));
-            add_wrench(l, &by_area, 6 + j, tip,
-                       uniform_wrench(b, &by_area, l->p->extra[j].tip_force));
+            level_fit_add_wrench(&by_area, uniform_wrench(b, &by_area, l->p->extra[j].tip_force),
+                                 level_of(l, 6 + j, tip));
         }
     }
 
@@ -128,7 +100,7 @@ static void add_nodes(loader *l, int column, const int *conn, int n2, int layer)
         vec6 *end = level == 0 ? &l->out.on_base[column]
                                : &l->out.on_top[column * own + layer - l->s->first_layer];
         body_node(b, node, level, x);
-        *end = vec6_add(*end, force_at(l->f + 3 * i, x));
+        *end = vec6_add(*end, wrench_of_force(l->f + 3 * i, x));
     }
 }
 
@@ -221,7 +193,7 @@ static status add_patch(void *self, const face_patch *p)
             to[d] += f[d];
         }
         if (end) {
-            *end = vec6_add(*end, force_at(f, x));
+            *end = vec6_add(*end, wrench_of_force(f, x));
         }
     }
     return OK;
@@ -240,62 +212,6 @@ static status load_faces(loader *l)
     }
 
 done:
-    return st;
-}
-
-// --- what balances them where the base is free to contract
-
-// resultants of this rank's own levels about the base's origin; a rigid cap's unit wrenches act at
-// the tip's
-static void sum_forces(const loader *l, double *total)
-{
-    const body *b = l->p->body;
-    for (int j = 0; j < l->out.ncolumn; j++) {
-        vec6 w = {0};
-        for (int level = l->s->first; level < l->s->last; level++) {
-            const double *f = level_of(l, j, level);
-            for (int i = 0; i < b->plane->nnode; i++) {
-                double x[3];
-                body_node(b, i, level, x);
-                w = vec6_add(w, force_at(f + 3 * (size_t)i, x));
-            }
-        }
-        if (j < 6 && l->p->tip == TIP_RIGID && l->s->last == b->nlevel &&
-            l->s->first < l->s->last) {
-            const double zero[3] = {0};
-            double tip[3];
-            vec6 unit = {0};
-            unit.a[j] = 1;
-            body_origin(b, b->nlevel - 1, tip);
-            w = vec6_add(w, wrench_moved(unit, tip, zero));
-        }
-        memcpy(total + 6 * (size_t)j, w.a, sizeof w.a);
-    }
-}
-
-// Sideways forces and torque are answered by an E-proportional traction on the base, the multiplier
-// of "no mean motion". (5.8)
-static status balance_base(const loader *l, const double *total)
-{
-    status st = OK;
-    level_fit by_E = {0};
-    const double zero[3] = {0};
-    double base[3];
-    if (l->s->from > 0) {
-        return OK;
-    }
-    TRY(level_fit_make(l->p->body, 0, LEVEL_BY_E, &by_E));
-    body_origin(l->p->body, 0, base);
-    for (int j = 0; j < l->out.ncolumn; j++) {
-        vec6 w;
-        memcpy(w.a, total + 6 * (size_t)j, sizeof w.a);
-        w = wrench_moved(w, zero, base);
-        const vec6 answer = {{-w.a[NX], -w.a[NY], 0, 0, 0, -w.a[MZ]}};
-        add_wrench(l, &by_E, j, 0, answer);
-    }
-
-done:
-    level_fit_free(&by_E);
     return st;
 }
 
@@ -327,38 +243,17 @@ status level_loads_make(const petsc_door *door, const segment_problem *p, const 
 {
     status st = OK;
     loader l = {.door = door, .p = p, .s = s, .out = {.ncolumn = problem_columns(p)}};
-    double *total = NULL;
     TRY(door->agree(load_levels(&l)));
     if (p->base == BASE_FREE_TO_CONTRACT) {
-        const int many = 6 * l.out.ncolumn;
-        TRY(door->agree(TAKE(total, (size_t)many)));
-        sum_forces(&l, total);
-        door->sum(many, total);
-        TRY(door->agree(balance_base(&l, total)));
+        TRY(level_loads_balance(door, p, s, &l.out));
     }
     *out = l.out;
     l.out = (level_loads){0};
 
 done:
-    free(total);
     free(l.f);
     free(l.mass);
     brick_free(l.brick);
     level_loads_free(&l.out);
     return st;
-}
-
-void level_loads_gather(const level_loads *l, const segment_problem *p, const unknowns *u,
-                        double *b)
-{
-    const level_share *s = &u->share;
-    const size_t held = 3 * (size_t)(s->to - s->from) * (size_t)u->nplane;
-    const size_t rows = 3 * (size_t)(u->last - u->first);
-    for (int j = 0; j < l->ncolumn; j++) {
-        double *to = b + (size_t)j * rows;
-        unknowns_gather(u, l->force + (size_t)j * held, to);
-        if (j < 6 && p->tip == TIP_RIGID && unknowns_has_tip(u)) {
-            to[3 * (u->cap_block - u->first) + j] += j < 3 ? 1 : 1 / u->radius;
-        }
-    }
 }

@@ -3,6 +3,7 @@
 // docs/theory.md (5.6), (5.8), (5.11)
 #pragma once
 
+#include "fem/level_fit.h"
 #include "fem/petsc_door.h"
 #include "fem/unknowns.h"
 
@@ -22,9 +23,25 @@ status level_loads_make(const petsc_door *door, const segment_problem *p, const 
                         level_loads *out);
 void level_loads_free(level_loads *l);
 
+static inline size_t level_loads_offset(const body *b, const level_share *s, int column, int level)
+{
+    return ((size_t)column * (size_t)(s->to - s->from) + (size_t)(level - s->from)) * 3 *
+           (size_t)b->plane->nnode;
+}
+
 // This rank's right-hand sides [ncolumn][last - first][3], zero in held directions.
 void level_loads_gather(const level_loads *l, const segment_problem *p, const unknowns *u,
                         double *b);
 
-// The same wrench with its moment about another point.
+// --- fem/level_balance.c
+
+// (all) Sideways forces and torque are answered by a traction on the base. (5.8)
+status level_loads_balance(const petsc_door *door, const segment_problem *p, const level_share *s,
+                           level_loads *loads);
+
+// Adds nodal forces [nplane][3] with the resultant w about the section's origin.
+void level_fit_add_wrench(const level_fit *fit, vec6 w, double *force);
+
+// The same wrench with its moment about another point, and a force's about the base's origin.
 vec6 wrench_moved(vec6 w, const double from[3], const double to[3]);
+vec6 wrench_of_force(const double *force, const double *place);

@@ -135,7 +135,8 @@ static status factor_check(Mat factor)
         return OK;
     }
     if (state == -10 || error == MAT_FACTOR_NUMERIC_ZEROPIVOT) {
-        return status_fail(ERR_NUMERIC, "MUMPS: the stiffness matrix is not positive definite");
+        return status_fail(ERR_NUMERIC, "MUMPS: the stiffness matrix is not positive definite: "
+                                        "parts of the body are not joined, or free to move");
     }
     if (is_out_of_memory(state) || error == MAT_FACTOR_OUTMEMORY) {
         return status_fail(ERR_RESOURCE,

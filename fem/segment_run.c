@@ -114,10 +114,39 @@ done:
     return st;
 }
 
+typedef struct product {
+    const petsc_door *door;
+    petsc_matrix *matrix;
+    size_t n, ncol;
+    const double *b;
+} product;
+
+static status residual(void *self, const double *x, double *r)
+{
+    status st = OK;
+    const product *p = (const product *)self;
+    double *rows = NULL;
+    long double *y = NULL;
+    TRY(TAKE(rows, p->n * p->ncol));
+    TRY(TAKE(y, p->n * p->ncol));
+    for (size_t i = 0; i < p->n * p->ncol; i++) {
+        rows[i % p->n * p->ncol + i / p->n] = x[i];
+    }
+    TRY(p->door->matrix_multiply(p->matrix, (int)p->ncol, rows, y));
+    for (size_t i = 0; i < p->n * p->ncol; i++) {
+        r[i] = (double)(p->b[i] - y[i % p->n * p->ncol + i / p->n]);
+    }
+
+done:
+    free(rows);
+    free(y);
+    return st;
+}
+
 // by each rank's rows, and whole again
 static status solve_rows(const petsc_door *door, petsc_matrix *matrix, double norm,
                          supports_share share, size_t unknowns, int nrhs, const double *b,
-                         double *x, double *residual)
+                         double *x, double *relative)
 {
     status st = OK;
     double *mine = NULL, *found = NULL;
@@ -127,7 +156,11 @@ static status solve_rows(const petsc_door *door, petsc_matrix *matrix, double no
     for (size_t j = 0; j < (size_t)nrhs; j++) {
         memcpy(mine + j * n, b + j * unknowns + first, n * sizeof *b);
     }
-    TRY(refined_solve(door, matrix, norm, n, nrhs, mine, found, residual));
+    product p = {door, matrix, n, (size_t)nrhs, mine};
+    const refined_system system = {door, matrix, norm, n, nrhs, mine, residual, &p};
+    refined_answer answer = {0};
+    TRY(refined_solve(&system, found, &answer));
+    *relative = answer.residual;
     for (size_t j = 0; j < (size_t)nrhs; j++) {
         memcpy(x + j * unknowns + first, found + j * n, n * sizeof *b);
         door->sum((int)unknowns, x + j * unknowns);

@@ -8,6 +8,7 @@
 #pragma once
 
 #include "fem/load.h"
+#include "fem/petsc_door.h"
 
 // What one rank has: whole layers. Its rows are those of the levels from its first layer's lower
 // end to just below its last layer's upper end, which is the next rank's; the last rank with layers
@@ -106,3 +107,7 @@ void unknowns_add_force(const unknowns *u, int plane_node, int level, const doub
 
 // The same of all nodes: force [to - from][nplane][3] of the levels held, b [last - first][3] anew.
 void unknowns_gather(const unknowns *u, const double *force, double *b);
+
+// (all) ERR_NUMERIC, with the motion, where springs and holds leave the body free to move as a
+// whole.
+status unknowns_check_supports(const petsc_door *door, const segment_problem *p, const unknowns *u);

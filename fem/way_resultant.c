@@ -131,12 +131,6 @@ typedef struct beyond {
     vec6 *on_base;  // [1] what the first layer has on the base
 } beyond;
 
-static vec6 wrench_of(vec3 force, const double *x)
-{
-    const vec3 m = vec3_cross((vec3){{x[0], x[1], x[2]}}, force);
-    return (vec6){{force.a[0], force.a[1], force.a[2], m.a[0], m.a[1], m.a[2]}};
-}
-
 // Loads, and in held directions what holds them; about the base's origin.
 static void act_on_levels(const way_field *f, const level_forces *inner, int column, vec6 *on_level)
 {
@@ -152,10 +146,10 @@ static void act_on_levels(const way_field *f, const level_forces *inner, int col
             for (int d = 0; d < 3; d++) {
                 t.a[d] = unknowns_is_held(u, i, level, d) ? force[d] : load[d];
             }
-            on_level[level] = vec6_add(on_level[level], wrench_of(t, x));
+            on_level[level] = vec6_add(on_level[level], wrench_of_force(t.a, x));
         }
-        on_level[level] =
-            vec6_sub(on_level[level], inner->sprung[(size_t)column * (size_t)u->nlevel + (size_t)level]);
+        on_level[level] = vec6_sub(
+            on_level[level], inner->sprung[(size_t)column * (size_t)u->nlevel + (size_t)level]);
     }
 }
 

@@ -225,7 +225,7 @@ static void solutions_obey_statics(int base, int tip, double turn_rate)
 
 int main(void)
 {
-    for (int order = 1; order < ELEMENT_MAX_ORDER; order++) {
+    for (int order = 1; order <= ELEMENT_MAX_ORDER; order++) {
         uniform_strain_is_exact(order, false);
         uniform_strain_is_exact(order, true);
     }
