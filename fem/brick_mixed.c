@@ -31,7 +31,7 @@ static void monomials(const brick_projection *p, const double at[3], const doubl
     const vec3 from = {{x[0] - p->centre[0], x[1] - p->centre[1], x[2] - p->centre[2]}};
     vec3 t = {{at[0], at[1], at[2]}};
     if (!p->by_reference) {
-        t = mat3_mul_vec(p->to_local, from);
+        t = mat3_tmul_vec(p->to_local, from);
     }
     double power[3][ELEMENT_MAX_ORDER];
     for (int d = 0; d < 3; d++) {

@@ -22,7 +22,7 @@ typedef struct brick_projection {
     int count;
     int power[BRICK_MAX_PRESSURES][3];
     bool by_reference; // in reference coordinates instead: the element is bent too much
-    mat3 to_local;     // J0^-1
+    mat3 to_local;     // [i][j] d local_j / d x_i
     double centre[3];
     double lower[BRICK_MAX_PRESSURES][BRICK_MAX_PRESSURES]; // Cholesky of their Gram matrix
     double *value;                                          // [nq][count] orthonormal polynomials
@@ -68,7 +68,8 @@ status brick_prism_stiffness(brick *w, int layer, int material, double *K);
 // K by quadrature over the whole element.
 status brick_full_stiffness(brick *w, int layer, int material, double *K);
 
-// Inverse of the mean Jacobian of the layer at hand, *ratio: its determinant over the mean one.
+// dxi_j / dx_i [i][j] by the mean Jacobian of the layer at hand; *ratio: its determinant over the
+// mean one.
 mat3 brick_mean_jacobian_inverse(const brick *w, double *ratio);
 void brick_choose_pressures(brick *w); // which polynomials
 // Of the layer whose geometry is at hand.
