@@ -12,25 +12,17 @@ void brick_free(brick *w)
     if (!w) {
         return;
     }
-    double *const owned[] = {w->weight,
-                             w->slope,
-                             w->xyz,
-                             w->grad,
-                             w->dV,
-                             w->work,
-                             w->more,
-                             w->sum,
-                             w->flat.E,
-                             w->flat.C,
-                             w->flat.Ct,
-                             w->flat.M,
-                             w->projection.value,
-                             w->projection.P,
-                             w->grade};
+    double *const owned[] = {
+        w->weight,           w->slope,        w->xyz,  w->grad, w->dV, w->work, w->more, w->sum,
+
+        w->projection.value, w->projection.P, w->grade};
     for (size_t i = 0; i < sizeof owned / sizeof *owned; i++) {
         free(owned[i]);
     }
     free(w->stiffness);
+    for (int i = 0; i < BRICK_PLANES; i++) {
+        free(w->flat[i].E);
+    }
     free(w->place);
     free(w);
 }
@@ -59,9 +51,12 @@ static status take_room(brick *w)
     TRY(TAKE(w->place, nq));
     TRY(TAKE(w->grade, nq));
     TRY(TAKE(w->stiffness, nq));
-    double **const flat[] = {&w->flat.E, &w->flat.C, &w->flat.Ct, &w->flat.M};
-    for (int i = 0; i < 4; i++) {
-        TRY(TAKE(*flat[i], 9 * n2 * n2));
+    for (int i = 0; i < BRICK_PLANES; i++) {
+        brick_plane *p = &w->flat[i];
+        TRY(TAKE(p->E, 4 * 9 * n2 * n2));
+        p->C = p->E + 9 * n2 * n2;
+        p->Ct = p->C + 9 * n2 * n2;
+        p->M = p->Ct + 9 * n2 * n2;
     }
     // work: slopes with their weights; more: slopes times a law, of the points of one height; sum:
     // pairs of directions and nodes
@@ -102,7 +97,9 @@ status brick_stand_on(brick *w, int block, int e)
     w->e = e;
     w->conn = k->conn + (size_t)e * (size_t)k->per_elem;
     w->layer = -1;
-    w->flat.material = -1;
+    for (int i = 0; i < BRICK_PLANES; i++) {
+        w->flat[i].material = -1;
+    }
     if (!same) {
         TRY(brick_tables(w));
     }

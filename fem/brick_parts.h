@@ -8,7 +8,7 @@
 // place of the strain u_i,j + u_j,i in the order xx yy zz yz xz xy
 static const int brick_strain[3][3] = {{0, 5, 4}, {5, 1, 3}, {4, 3, 2}};
 
-enum { BRICK_PAIRS = 9, BRICK_MAX_PRESSURES = 20 };
+enum { BRICK_PAIRS = 9, BRICK_PLANES = 4, BRICK_MAX_PRESSURES = 20 };
 
 // Plane matrices of (5.1) for one material, [3 n2][3 n2] by rows, dofs 3 node + direction.
 typedef struct brick_plane {
@@ -39,15 +39,16 @@ struct brick {
     double *weight; // [nq] of the reference element
     double *slope;  // [nq][3][n] reference slopes
     // of one layer
-    int layer;          // -1: none yet
-    double *xyz;        // [n][3]
-    double *grad;       // [nq][3][n] slopes in the base's axes
-    double *dV;         // [nq]
-    bool placed;        // `place` is of this layer
-    double (*place)[3]; // [nq]
-    double *grade;      // [nq] factor on the law
-    mat6 *stiffness;    // [nq] Q
-    brick_plane flat;
+    int layer;                      // -1: none yet
+    double *xyz;                    // [n][3]
+    double *grad;                   // [nq][3][n] slopes in the base's axes
+    double *dV;                     // [nq]
+    bool placed;                    // `place` is of this layer
+    double (*place)[3];             // [nq]
+    double *grade;                  // [nq] factor on the law
+    mat6 *stiffness;                // [nq] Q
+    brick_plane flat[BRICK_PLANES]; // of the materials met last
+    int oldest;                     // of them
     brick_projection projection;
     bool projected;            // `projection` is of this layer
     double *work, *more, *sum; // see brick_make for sizes

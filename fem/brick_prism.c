@@ -86,7 +86,7 @@ static void plane_place(const brick *w, int q, double x[2])
     }
 }
 
-static status make_flat(brick *w, int material)
+static status make_flat(brick *w, int material, brick_plane *flat)
 {
     status st = OK;
     brick_law law;
@@ -108,14 +108,35 @@ static status make_flat(brick *w, int material)
                               : w->stiffness[0];
     }
     const plane_part parts[] = {
-        {0, 2, 0, 2, w->flat.E},
-        {0, 2, 2, 3, w->flat.C},
-        {2, 3, 0, 2, w->flat.Ct},
-        {2, 3, 2, 3, w->flat.M},
+        {0, 2, 0, 2, flat->E},
+        {0, 2, 2, 3, flat->C},
+        {2, 3, 0, 2, flat->Ct},
+        {2, 3, 2, 3, flat->M},
     };
     for (size_t i = 0; i < sizeof parts / sizeof *parts; i++) {
         integrate(w, &parts[i]);
     }
+    flat->material = material;
+
+done:
+    return st;
+}
+
+// the plane matrices of a material: stacks change between a few of them from layer to layer
+static status find_flat(brick *w, int material, const brick_plane **out)
+{
+    status st = OK;
+    brick_plane *flat = NULL;
+    for (int i = 0; i < BRICK_PLANES && !flat; i++) {
+        flat = w->flat[i].material == material ? &w->flat[i] : NULL;
+    }
+    if (!flat) {
+        flat = &w->flat[w->oldest];
+        w->oldest = (w->oldest + 1) % BRICK_PLANES;
+        flat->material = -1;
+        TRY(make_flat(w, material, flat));
+    }
+    *out = flat;
 
 done:
     return st;
@@ -124,13 +145,13 @@ done:
 enum { LINE_NODES = ELEMENT_MAX_ORDER + 1 };
 
 // int N N^T, int N N'^T, int N' N'^T along a layer
-typedef struct line_matrices3 {
+typedef struct layer_matrices {
     double M[LINE_NODES][LINE_NODES], G[LINE_NODES][LINE_NODES], K[LINE_NODES][LINE_NODES];
-} line_matrices3;
+} layer_matrices;
 
-static line_matrices3 along_layer(const body *b, int layer)
+static layer_matrices along_layer(const body *b, int layer)
 {
-    line_matrices3 m = {0};
+    layer_matrices m = {0};
     const basis_table *t = &b->line_table;
     const double half = (b->level[(layer + 1) * b->order] - b->level[layer * b->order]) / 2;
     for (int q = 0; q < t->npoint; q++) {
@@ -151,16 +172,13 @@ status brick_prism_stiffness(brick *w, int layer, int material, double *K)
 {
     status st = OK;
     const int n3 = 3 * w->n2, nline = w->body->order + 1;
-    if (w->flat.material != material) {
-        w->flat.material = -1;
-        TRY(make_flat(w, material));
-        w->flat.material = material;
-    }
-    const line_matrices3 m = along_layer(w->body, layer);
+    const brick_plane *flat = NULL;
+    TRY(find_flat(w, material, &flat));
+    const layer_matrices m = along_layer(w->body, layer);
     for (int k = 0; k < nline; k++) {
         for (int r = 0; r < n3; r++) {
-            const double *E = w->flat.E + r * n3, *C = w->flat.C + r * n3;
-            const double *Ct = w->flat.Ct + r * n3, *M = w->flat.M + r * n3;
+            const double *E = flat->E + r * n3, *C = flat->C + r * n3;
+            const double *Ct = flat->Ct + r * n3, *M = flat->M + r * n3;
             for (int l = 0; l < nline; l++) {
                 const double e = m.M[k][l], c = m.G[k][l], ct = m.G[l][k], z = m.K[k][l];
                 double *to = K + (size_t)(k * n3 + r) * (size_t)(n3 * nline) + l * n3;
