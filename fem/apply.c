@@ -82,47 +82,28 @@ static void forces_of(const apply *a, const apply_element *e, int ncol, const do
 
 // --- along one layer: levels <-> points
 
-// to [part] = sum_k w_k from_k, parts of the two slopes in the plane and of the one along s
-static void combine(size_t n, double w, const double *from, double *to)
+// The two slopes in the plane are interpolated, the third has the slope along s: solid [nl][3 part]
+// from flat [levels][3 part], or with `back` flat_to from solid.
+static void along(const apply *a, double half, size_t part, bool back)
 {
-    for (size_t i = 0; i < n; i++) {
-        to[i] += w * from[i];
-    }
-}
-
-static void to_points(const apply *a, double half, size_t part, double *const *flat)
-{
-    const int levels = a->body->order + 1;
-    for (int t = 0; t < a->nl; t++) {
-        double *to = a->solid + (size_t)t * 3 * part;
-        memset(to, 0, 3 * part * sizeof *to);
-        for (int k = 0; k < levels; k++) {
-            combine(2 * part, a->L[t][k], flat[k], to);
-            combine(part, a->dL[t][k] / half, flat[k] + 2 * part, to + 2 * part);
-        }
-    }
-}
-
-static void to_levels(const apply *a, double half, size_t part, double *const *flat)
-{
-    const int levels = a->body->order + 1;
-    for (int t = 0; t < a->nl; t++) {
-        const double *from = a->solid + (size_t)t * 3 * part;
-        for (int k = 0; k < levels; k++) {
-            combine(2 * part, a->L[t][k], from, flat[k]);
-            combine(part, a->dL[t][k] / half, from + 2 * part, flat[k] + 2 * part);
-        }
+    const int levels = a->body->order + 1, two = 2 * (int)part, one = (int)part,
+              stride = 3 * (int)part, room = ELEMENT_MAX_ORDER + 1;
+    const double unit = 1, none = 0, scale = 1 / half;
+    const double *L = &a->L[0][0], *dL = &a->dL[0][0]; // by rows: points
+    if (back) {
+        dgemm_("N", "T", &two, &levels, &a->nl, &unit, a->solid, &stride, L, &room, &unit,
+               a->flat_to, &stride);
+        dgemm_("N", "T", &one, &levels, &a->nl, &scale, a->solid + two, &stride, dL, &room, &unit,
+               a->flat_to + two, &stride);
+    } else {
+        dgemm_("N", "N", &two, &a->nl, &levels, &unit, a->flat, &stride, L, &room, &none, a->solid,
+               &stride);
+        dgemm_("N", "N", &one, &a->nl, &levels, &scale, a->flat + two, &stride, dL, &room, &none,
+               a->solid + two, &stride);
     }
 }
 
 // --- one column of elements
-
-static void swap(double **p, double **q)
-{
-    double *const kept = *p;
-    *p = *q;
-    *q = kept;
-}
 
 // the upper level of one layer is the next one's lower level
 static void stand(apply *a, const apply_element *e, int first, int last, int ncol, const double *u,
@@ -131,31 +112,27 @@ static void stand(apply *a, const apply_element *e, int first, int last, int nco
     const body *b = a->body;
     const int p = b->order;
     const size_t block = 3 * (size_t)b->plane->nnode * (size_t)ncol;
-    const size_t part = 3 * (size_t)e->np * (size_t)ncol;
-    double *in[ELEMENT_MAX_ORDER + 1], *out[ELEMENT_MAX_ORDER + 1];
-    for (int k = 0; k <= p; k++) {
-        in[k] = a->flat + (size_t)k * 3 * part;
-        out[k] = a->flat_to + (size_t)k * 3 * part;
-    }
-    slopes_of(a, e, ncol, u, in[0]);
-    memset(out[0], 0, 3 * part * sizeof **out);
+    const size_t part = 3 * (size_t)e->np * (size_t)ncol, all = 3 * part;
+    double *top = a->flat + (size_t)p * all, *top_to = a->flat_to + (size_t)p * all;
+    slopes_of(a, e, ncol, u, top);
+    memset(top_to, 0, all * sizeof *top_to);
     for (int layer = first; layer < last; layer++) {
         const double half = (b->level[(layer + 1) * p] - b->level[layer * p]) / 2;
         const size_t at = (size_t)(layer - first) * (size_t)p * block;
+        memcpy(a->flat, top, all * sizeof *top);
+        memcpy(a->flat_to, top_to, all * sizeof *top);
+        memset(a->flat_to + all, 0, (size_t)p * all * sizeof *top);
         for (int k = 1; k <= p; k++) {
-            slopes_of(a, e, ncol, u + at + (size_t)k * block, in[k]);
-            memset(out[k], 0, 3 * part * sizeof **out);
+            slopes_of(a, e, ncol, u + at + (size_t)k * block, a->flat + (size_t)k * all);
         }
-        to_points(a, half, part, in);
+        along(a, half, part, false);
         apply_stresses(a, e, layer, ncol, a->solid);
-        to_levels(a, half, part, out);
+        along(a, half, part, true);
         for (int k = 0; k < p; k++) {
-            forces_of(a, e, ncol, out[k], f + at + (size_t)k * block);
+            forces_of(a, e, ncol, a->flat_to + (size_t)k * all, f + at + (size_t)k * block);
         }
-        swap(&in[0], &in[p]);
-        swap(&out[0], &out[p]);
     }
-    forces_of(a, e, ncol, out[0], f + (size_t)(last - first) * (size_t)p * block);
+    forces_of(a, e, ncol, top_to, f + (size_t)(last - first) * (size_t)p * block);
 }
 
 status apply_layers(apply *a, int first_layer, int last_layer, int ncol, const double *u, double *f)

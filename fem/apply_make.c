@@ -283,7 +283,9 @@ status apply_make(const body *b, int first_layer, int last_layer, apply **out)
             a->dL[t][k] = b->line_table.dN[t * (b->order + 1) + k];
         }
     }
-    TRY(take_elements(a));
+    if (first_layer < last_layer) {
+        TRY(take_elements(a));
+    }
     *out = a;
     a = NULL;
 

@@ -25,6 +25,17 @@ void dtrsm_(const char *side, const char *triangle, const char *op, const char *
 // LAPACK: Cholesky's factor in place; info > 0: not positive definite
 void dpotrf_(const char *triangle, const int *n, double *a, const int *lda, int *info);
 
+// the same of a matrix in a band of kd diagonals above or below its own, and solutions by it
+void dpbtrf_(const char *triangle, const int *n, const int *kd, double *ab, const int *ldab,
+             int *info);
+void dpbtrs_(const char *triangle, const int *n, const int *kd, const int *nrhs, const double *ab,
+             const int *ldab, double *b, const int *ldb, int *info);
+
+// A x = w B x, B positive definite: eigenvalues ascending, vectors with x^T B x = 1 into A
+void dsygv_(const int *type, const char *job, const char *triangle, const int *n, double *a,
+            const int *lda, double *b, const int *ldb, double *w, double *work, const int *lwork,
+            int *info);
+
 // by rows: C [m][n] = A^T B, or C + A^T B; A [k][m], B [k][n]
 static inline void blas_product(int m, int n, int k, const double *A, const double *B, int add,
                                 double *C)

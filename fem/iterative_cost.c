@@ -1,0 +1,42 @@
+// fem/iterative_cost.c
+// What the iterative way will take, from counts alone.
+#include "fem/iterative.h"
+
+// Measured by bench_segment_size on one core of an AMD EPYC of 2024: products without a matrix, all
+// else per unknown, column and iteration, and the plane's factors and element tables per unknown
+static const double SECONDS_PER_FLOP = 8e-11, SECONDS_PER_VALUE = 4e-8, SECONDS_PER_UNKNOWN = 2e-6;
+// fields of the conjugate gradients and of what is exchanged; factors of planes
+static const double FIELDS = 12, FACTOR_BYTES = 400;
+enum { TYPICAL_ITERATIONS = 24, PRODUCTS = 2 };
+
+// of one product with one column, as apply.h does it
+static double product_flops(const body *b)
+{
+    double flops = 0;
+    const double p = b->order, nl = b->line_table.npoint;
+    for (int k = 0; k < b->plane->nblock; k++) {
+        const double n2 = b->plane->block[k].per_elem, np = b->plane_table[k].npoint;
+        const double plane = 18 * np * n2 * p, line = 18 * np * (p + 1) * nl, law = 81;
+        flops += b->plane->block[k].nelem * (2 * plane + 2 * line + law * nl * np);
+    }
+    return flops * b->nlayer;
+}
+
+way_cost way_cost_iterative(const segment_problem *p, int nrank)
+{
+    way_cost cost = {0};
+    const body *b = p->body;
+    const double columns = problem_columns(p), unknowns = 3.0 * (double)body_node_count(b);
+    // whole layers are shared out
+    const double share = 1.0 / (nrank < b->nlayer ? nrank : b->nlayer);
+    if (iterative_check(p) != OK) {
+        status_clear();
+        return cost;
+    }
+    cost.possible = true;
+    const double each =
+        PRODUCTS * SECONDS_PER_FLOP * product_flops(b) + SECONDS_PER_VALUE * unknowns;
+    cost.seconds = share * (SECONDS_PER_UNKNOWN * unknowns + TYPICAL_ITERATIONS * columns * each);
+    cost.bytes = share * unknowns * (sizeof(double) * FIELDS * columns + FACTOR_BYTES);
+    return cost;
+}
