@@ -92,7 +92,7 @@ typedef struct after_ask {
     int column;               // of the run: what it brings along beside its wrench; -1: none
     int uniform; // first of three columns for unit forces by uniform traction, which then carry
                  // its force; -1: the six unit wrenches do
-    bool fields; // displacements too: of this rank's levels
+    const segment_body *here; // fields too, on what after_keep_body kept; NULL: none
 } after_ask;
 
 // One load from the run's columns, but for its errors and stresses. ERR_INPUT where a uniform
@@ -102,3 +102,14 @@ status after_load(const after *a, const after_ask *ask, segment_load_result *out
 // All estimates of `fine` from the differences to a coarser mesh, times factor: 1 where nothing is
 // known of the rate, 1 / (rate - 1) where it is.
 void after_errors(const segment_result *coarse, double factor, segment_result *fine);
+
+// The plane mesh, and with fields what they stand on: this rank's own levels; with stresses nodes
+// apart too.
+status after_keep_body(const segment_problem *p, const way_run *run, bool fields, bool stress,
+                       segment_body *out);
+
+// Stresses at the nodes of `here`, [levels here][apart nnode][6], of displacements u [run->last -
+// run->first][nplane][3]: the mean of what a node's elements say, each material by itself; an
+// element says the polynomial through its best points. docs/theory.md (5.19)
+status after_stress(const segment_body *here, const body *b, const way_run *run, const double *u,
+                    double **stress);

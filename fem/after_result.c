@@ -135,21 +135,30 @@ done:
     return st;
 }
 
-static status keep_displacement(const after *a, const double *factor, double **out)
+static status keep_fields(const after *a, const segment_body *here, const double *factor,
+                          segment_load_result *out)
 {
     status st = OK;
     const way_run *run = a->run;
-    const size_t all =
-        3 * (size_t)a->problem->body->plane->nnode * (size_t)(run->last - run->first);
-    TRY(TAKE(*out, all));
+    const size_t plane = 3 * (size_t)here->plane.nnode;
+    const size_t all = plane * (size_t)(run->last - run->first);
+    const size_t own = plane * (size_t)(here->last - here->first);
+    double *u = NULL;
+    TRY(TAKE(u, all));
     for (int j = 0; j < run->ncolumn; j++) {
-        const double *u = run->u + (size_t)j * all;
+        const double *column = run->u + (size_t)j * all;
         for (size_t i = 0; factor[j] != 0 && i < all; i++) {
-            (*out)[i] += factor[j] * u[i];
+            u[i] += factor[j] * column[i];
         }
+    }
+    TRY(TAKE(out->displacement, own));
+    memcpy(out->displacement, u + plane * (size_t)(here->first - run->first), own * sizeof *u);
+    if (here->apart.nnode > 0) {
+        TRY(after_stress(here, a->problem->body, run, u, &out->stress));
     }
 
 done:
+    free(u);
     return st;
 }
 
@@ -174,7 +183,7 @@ status after_load(const after *a, const after_ask *ask, segment_load_result *out
     }
     out->strain_energy = after_energy(a, factor);
     TRY(keep_slices(a, factor, out));
-    TRY(ask->fields ? keep_displacement(a, factor, &out->displacement) : OK);
+    TRY(ask->here ? keep_fields(a, ask->here, factor, out) : OK);
 
 done:
     free(factor);

@@ -19,10 +19,7 @@ void segment_result_free(segment_result *r)
         free(r->load[i].slice);
     }
     free(r->load);
-    mesh_free(&r->plane);
-    mesh_free(&r->solid);
-    mesh_free(&r->apart);
-    free(r->level);
+    segment_body_free(&r->body);
     *r = (segment_result){0};
 }
 
@@ -243,11 +240,20 @@ static status make_meshes(const segment_case *c, const segment_source *source, s
 {
     status st = OK;
     const segment_mesh ask = {.order = c->order, .size = c->size};
-    TRY(source->plane(source->self, &ask, &r->plane));
-    TRY(segment_check_size(c, r->plane.nnode));
-    r->nlevel = c->layers * c->order + 1;
-    TRY(TAKE(r->level, (size_t)r->nlevel));
-    fill_levels(c, r->level);
+    TRY(source->plane(source->self, &ask, &r->body.plane));
+    TRY(segment_check_size(c, r->body.plane.nnode));
+    segment_body *b = &r->body;
+    b->order = c->order;
+    b->nlayer = c->layers;
+    b->last = b->nlevel = c->layers * c->order + 1;
+    TRY(TAKE(b->level, (size_t)b->nlevel));
+    fill_levels(c, b->level);
+    TRY(TAKE(b->node, 3 * (size_t)b->nlevel * (size_t)b->plane.nnode));
+    for (int i = 0; i < b->nlevel * b->plane.nnode; i++) {
+        const double *from = b->plane.xyz + 3 * (size_t)(i % b->plane.nnode);
+        memcpy(b->node + 3 * (size_t)i, from, 2 * sizeof *from);
+        b->node[3 * (size_t)i + 2] = b->level[i / b->plane.nnode];
+    }
 
 done:
     return st;
@@ -293,7 +299,7 @@ status segment_solve(const segment_case *given, const segment_source *source,
                             .tip = c.tip};
 
     TRY(make_meshes(&c, source, &r));
-    TRY(column_make(&r.plane, source->materials, c.order, r.nlevel, r.level, &col));
+    TRY(column_make(&r.body.plane, source->materials, c.order, r.body.nlevel, r.body.level, &col));
     TRY(petsc_door_open(&door));
     TRY(solve_column(door, &c, &col, &list, &r));
     *out = r;

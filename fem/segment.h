@@ -155,6 +155,20 @@ typedef struct segment_slice {
     vec6 strain; // generalized (v, w) of the fitted motions along the body, in the section's axes
 } segment_slice;
 
+// What the fields stand on: nodes of a plane mesh on the levels of a body. Without fields the plane
+// mesh alone.
+typedef struct segment_body {
+    mesh plane;
+    mesh apart; // the plane mesh, its nodes apart where materials or their frames meet; nnode 0
+                // without stresses
+    int order, nlayer, nlevel; // of the layers; nlevel = nlayer order + 1
+    double *level;             // [nlevel] s [m]
+    int *matter; // [nlayer][elements of the plane mesh] material, -1: nothing; NULL: as in the mesh
+    int first, last; // levels that are here: all of them, but where ranks share them out
+    double *node;    // [last - first][plane nnode][3] places [m]
+} segment_body;
+void segment_body_free(segment_body *b);
+
 typedef struct segment_load_result {
     const char *name;
     double point[2];            // where the force acted [m]; the area's centroid with a uniform tip
@@ -171,7 +185,7 @@ typedef struct segment_load_result {
     segment_slice *slice; // [nslice] from base to tip; owned by the result
     double balance;       // largest miss of the resultants, moments over the radius, relative to
                           // the load's largest
-    double *displacement; // [solid nnode][3], owned by the result; NULL unless asked for
+    double *displacement; // [levels here][plane nnode][3] [m]; NULL unless asked for
     double *stress;       // [levels here][apart nnode][6] xx yy zz yz xz xy in the section's axes
                           // [Pa], of the best points, mean of a node's elements of one material;
                           // NULL unless asked for
@@ -201,14 +215,7 @@ typedef struct segment_result {
     double residual;       // largest |f - K u| / (|K| |u| + |f|) of the linear solves
     int iterations;
     double assemble_seconds, factor_seconds, solve_seconds; // CPU time, all rungs
-    // where fields were asked for: the body's mesh and which levels this rank has
-    mesh plane, solid;
-    mesh apart; // the plane mesh, its nodes apart where materials or their frames meet; nnode 0
-                // without stresses
-    double *level;
-    int nlevel;
-    int first, last; // levels that solid, displacements and stresses have here: all of them, but
-                     // where ranks share them out
+    segment_body body;
 } segment_result;
 
 // All loads (and six unit wrenches) from one factorization per rung. The caller has resolved where

@@ -48,23 +48,26 @@ static void measure(segment_scene *s)
         s->low[k] = DBL_MAX;
         s->high[k] = -DBL_MAX;
     }
-    for (int i = 0; i < r->segment_mesh.nnode; i++) {
-        const double *x = r->segment_mesh.xyz + 3 * i;
+    const segment_body *b = &r->segment.body;
+    for (int i = 0; i < b->nlevel * b->plane.nnode; i++) {
+        const double *x = b->node + 3 * (size_t)i;
         const vec3 at = {{x[0], x[1], x[2]}};
         grow(s, at);
         for (int l = 0; l < r->segment.nload; l++) {
-            const double *u = r->segment.load[l].displacement + 3 * i;
+            const double *u = r->segment.load[l].displacement + 3 * (size_t)i;
             grow(s, vec3_add(at, vec3_scale(s->magnify, (vec3){{u[0], u[1], u[2]}})));
         }
     }
 }
 
-status segment_scene_make(const run_result *r, segment_scene *out)
+status segment_scene_make(const run_result *r, surface_value value, segment_scene *out)
 {
     status st = OK;
-    segment_scene s = {.r = r, .magnify = 1, .fig4 = fig4_is(r)};
+    segment_scene s = {.r = r, .magnify = 1, .value = value, .fig4 = fig4_is(r) && value == SURFACE_DISPLACEMENT};
+    const segment_body *body = &r->segment.body;
+    double moves = 0;
 
-    TRY(plane_edges_make(&r->segment_plane, &s.edges));
+    TRY(plane_edges_make(&r->segment.body.plane, &s.edges));
     TRY(plane_loops_make(&s.edges, PLANE_WHOLE, &s.loops));
     for (int i = 0; i < s.edges.count; i++) {
         const plane_edge *e = &s.edges.edge[i];
@@ -72,11 +75,12 @@ status segment_scene_make(const run_result *r, segment_scene *out)
     }
     s.camera = camera_from(choose_azimuth(r), elevation);
     for (int l = 0; l < r->segment.nload; l++) {
-        s.largest =
-            fmax(s.largest, segment_largest_displacement(r, r->segment.load[l].displacement));
+        const segment_load_result *load = &r->segment.load[l];
+        moves = fmax(moves, segment_largest(body, load, SURFACE_DISPLACEMENT));
+        s.largest = fmax(s.largest, segment_largest(body, load, value));
     }
-    if (s.largest > 0 && s.largest < visible_part * r->segment_length) {
-        s.magnify = nice_step(wanted_part * r->segment_length / s.largest, 1);
+    if (moves > 0 && moves < visible_part * r->segment_length) {
+        s.magnify = nice_step(wanted_part * r->segment_length / moves, 1);
     }
     measure(&s);
     *out = s;
@@ -94,9 +98,9 @@ void segment_scene_free(segment_scene *s)
     *s = (segment_scene){0};
 }
 
-colour segment_colour(const segment_scene *s, double displacement, double light)
+colour segment_colour(const segment_scene *s, double value, double light)
 {
-    const colour flat = colour_ramp(s->largest > 0 ? displacement / s->largest : 0);
+    const colour flat = colour_ramp(s->largest > 0 ? value / s->largest : 0);
     // a narrow range of shade keeps the colour readable against its bar
     const double shade = 0.84 + 0.18 * fmax(light, 0);
     const colour dark = {0, 0, 0, 1}, white = {1, 1, 1, 1};

@@ -21,23 +21,40 @@ static void to_sheet(const sheet *h, vec3 p, double at[2])
     at[1] = h->y0 - h->scale * seen.a[1];
 }
 
-// the outer boundary at one height, undeformed; holes are left off
-static void ring(const sheet *h, double z)
+static vec3 node_at(const sheet *h, int node, int level)
+{
+    const segment_body *b = &h->s->r->segment.body;
+    const double *x = b->node + 3 * ((size_t)level * (size_t)b->plane.nnode + (size_t)node);
+    return (vec3){{x[0], x[1], x[2]}};
+}
+
+static void go_to(const sheet *h, vec3 p, bool begin)
+{
+    double at[2];
+    to_sheet(h, p, at);
+    if (begin) {
+        canvas_move(h->c, at[0], at[1]);
+    } else {
+        canvas_line(h->c, at[0], at[1]);
+    }
+}
+
+// the outer boundary at one level, undeformed; holes are left off
+static void ring(const sheet *h, int level)
 {
     const plane_edges *e = &h->s->edges;
     const plane_loops *l = &h->s->loops;
+    double N[ELEMENT_MAX_ORDER + 1];
     for (int i = 0; i < l->nloop; i++) {
         const bool hole = plane_loop_area(e, l, i) < 0;
         for (int k = l->start[i]; !hole && k < l->start[i + 1]; k++) {
             for (int cut = k > l->start[i]; cut <= 6; cut++) {
-                double xy[2], at[2];
-                plane_edge_point(e, &e->edge[l->order[k]], cut / 3.0 - 1, xy);
-                to_sheet(h, (vec3){{xy[0], xy[1], z}}, at);
-                if (cut == 0) {
-                    canvas_move(h->c, at[0], at[1]);
-                } else {
-                    canvas_line(h->c, at[0], at[1]);
+                vec3 p = {0};
+                element_basis(&e->line, &(double){cut / 3.0 - 1}, N, NULL);
+                for (int n = 0; n < e->line.nnode; n++) {
+                    p = vec3_add_scaled(p, N[n], node_at(h, e->edge[l->order[k]].node[n], level));
                 }
+                go_to(h, p, cut == 0);
             }
         }
     }
@@ -45,8 +62,8 @@ static void ring(const sheet *h, double z)
 
 static void undeformed_outline(const sheet *h)
 {
-    const double length = h->s->r->segment_length;
-    const mesh *m = &h->s->r->segment_plane;
+    const segment_body *b = &h->s->r->segment.body;
+    const mesh *m = &b->plane;
     int left = 0, right = 0;
     for (int i = 1; i < m->nnode; i++) {
         const vec3 r = h->s->camera.right;
@@ -54,13 +71,12 @@ static void undeformed_outline(const sheet *h)
         left = here < r.a[0] * m->xyz[3 * left] + r.a[1] * m->xyz[3 * left + 1] ? i : left;
         right = here > r.a[0] * m->xyz[3 * right] + r.a[1] * m->xyz[3 * right + 1] ? i : right;
     }
-    ring(h, length);
-    for (int side = 0; side < 2; side++) {
-        const double *x = m->xyz + 3 * (size_t)(side ? right : left);
-        double a[2], b[2];
-        to_sheet(h, (vec3){{x[0], x[1], 0}}, a);
-        to_sheet(h, (vec3){{x[0], x[1], length}}, b);
-        canvas_segment(h->c, a[0], a[1], b[0], b[1]);
+    ring(h, b->nlevel - 1);
+    for (int level = 0; level < b->nlevel; level++) {
+        go_to(h, node_at(h, left, level), level == 0);
+    }
+    for (int level = 0; level < b->nlevel; level++) {
+        go_to(h, node_at(h, right, level), level == 0);
     }
     canvas_dash(h->c, 3, 2.5);
     canvas_stroke(h->c, INK_SOFT, 0.9);
@@ -69,7 +85,7 @@ static void undeformed_outline(const sheet *h)
 
 static void ground(const sheet *h)
 {
-    const mesh *m = &h->s->r->segment_plane;
+    const mesh *m = &h->s->r->segment.body.plane;
     double radius = 0;
     for (int i = 0; i < m->nnode; i++) {
         radius = fmax(radius, hypot(m->xyz[3 * i], m->xyz[3 * i + 1]));
@@ -132,14 +148,15 @@ static void paint_facet(const sheet *h, const facet *f)
 static void tip_borders(const sheet *h, const double *displacement)
 {
     const plane_edges *e = &h->s->edges;
-    const int top = h->s->r->segment_mesh.nnode - h->s->r->segment_plane.nnode;
+    const segment_body *b = &h->s->r->segment.body;
+    const int top = (b->nlevel - 1) * b->plane.nnode;
     int lines = 0;
     for (int i = 0; i < e->count; i++) {
         const plane_edge *edge = &e->edge[i];
         for (int k = 0; edge->other >= 0 && edge->material < edge->other && k < e->line.nnode;
              k++) {
             const int node = 3 * (top + edge->node[k]);
-            const double *x = h->s->r->segment_mesh.xyz + node, *u = displacement + node;
+            const double *x = b->node + node, *u = displacement + node;
             double at[2];
             to_sheet(h,
                      vec3_add((vec3){{x[0], x[1], x[2]}},
@@ -231,7 +248,8 @@ status segment_view(canvas *c, const segment_scene *s, int load, box at, double 
         .scale = points_per_m,
     };
 
-    TRY(segment_surface_make(s->r, &s->edges, displacement, s->magnify, &s->camera, &surface));
+    TRY(segment_surface_make(&s->r->segment.body, &s->r->segment.load[load], s->value, s->magnify,
+ &s->camera, &surface));
     ground(&h);
     for (int i = 0; i < surface.count; i++) {
         paint_facet(&h, &surface.facet[i]);

@@ -8,7 +8,7 @@
 #include <math.h>
 #include <stdio.h>
 
-enum { MAX_PANELS = 6, ROWS = 6, PAPER_ROWS = 4 };
+enum { MAX_PANELS = 6, ROWS = 6, PAPER_ROWS = 4, STRESS_ROWS = 1 };
 
 static const double side = 28, bar_width = 96, head = 74, view_height = 400, row = 19;
 
@@ -20,7 +20,7 @@ typedef struct layout {
 // the paper speaks of the first four only
 static int row_count(const segment_scene *s)
 {
-    return s->fig4 ? PAPER_ROWS : ROWS;
+    return s->value == SURFACE_MISES ? STRESS_ROWS : s->fig4 ? PAPER_ROWS : ROWS;
 }
 
 static layout arrange(const segment_scene *s)
@@ -42,7 +42,8 @@ static void colour_bar(canvas *c, const segment_scene *s, box at)
     canvas_rectangle(c, at.x, at.y, at.w, at.h);
     canvas_stroke(c, INK_SOFT, 0.8);
 
-    const double largest = s->largest * 1e3, step = nice_step(largest, 5);
+    const bool mises = s->value == SURFACE_MISES;
+    const double largest = s->largest * (mises ? 1e-6 : 1e3), step = nice_step(largest, 5);
     const int decimals = (int)fmax(0, ceil(-log10(step) - 1e-9));
     for (int i = 0; largest > 0 && isfinite(largest) && i * step <= largest * (1 + 1e-9); i++) {
         const double y = at.y + at.h * (1 - i * step / largest);
@@ -50,8 +51,8 @@ static void colour_bar(canvas *c, const segment_scene *s, box at)
         canvas_stroke(c, INK_SOFT, 0.8);
         say(c, at.x + at.w + 8, y + 3.7, LOOK_TICK, "%s", number_fixed(i * step, decimals).text);
     }
-    say(c, at.x, at.y - 26, look_inked(LOOK_SMALL, INK), "displacement");
-    say(c, at.x, at.y - 11, look_inked(LOOK_SMALL, INK), "size, mm");
+    say(c, at.x, at.y - 26, look_inked(LOOK_SMALL, INK), "%s", mises ? "von Mises" : "displacement");
+    say(c, at.x, at.y - 11, look_inked(LOOK_SMALL, INK), "%s", mises ? "stress, MPa" : "size, mm");
 }
 
 static double degrees(double angle)
@@ -67,6 +68,13 @@ typedef struct number_row {
 static void number_rows(const segment_scene *s, int load, number_row rows[ROWS])
 {
     const segment_load_result *l = &s->r->segment.load[load];
+    if (s->value == SURFACE_MISES) {
+        rows[0] = (number_row){"largest, a tenth from the ends", NULL, ""};
+        (void)snprintf(
+            rows[0].text, sizeof rows[0].text, "%s MPa",
+            number_digits(1e-6 * segment_largest(&s->r->segment.body, l, s->value), 4).text);
+        return;
+    }
     const fig4_reported paper = fig4_paper(s->fig4 ? fig4_which(s->r, load) : FIG4_NONE);
     const double strain = l->shortening / s->r->segment_length;
 
@@ -118,11 +126,11 @@ static void number_table(canvas *c, const segment_scene *s, int load, box at)
 
 static void notes(canvas *c, const segment_scene *s, const layout *l, double y)
 {
-    static const char *const base[] = {"clamped", "free to contract sideways"};
+    static const char *const base[] = {"clamped", "free to contract sideways", "free"};
     static const char *const tip[] = {"rigid cap", "traction proportional to E",
-                                      "uniform traction"};
+                                      "uniform traction", "free"};
     const run_result *r = s->r;
-    char text[512], scale[96] = "at true scale", left_off[64] = "";
+    char text[768], scale[96] = "at true scale", left_off[64] = "";
     if (s->magnify != 1) {
         (void)snprintf(scale, sizeof scale, "%s times larger than they are",
                        number_digits(s->magnify, 1).text);
@@ -133,10 +141,14 @@ static void notes(canvas *c, const segment_scene *s, const layout *l, double y)
     }
     (void)snprintf(text, sizeof text,
                    "Linear elasticity, %lld unknowns; base %s; tip: %s. Displacements drawn %s. "
-                   "Dashed: undeformed%s.%s",
-                   r->segment.dofs, base[r->segment_base == BASE_FREE_TO_CONTRACT],
-                   tip[(unsigned)r->segment_tip % 3], scale,
-                   s->borders ? "; white lines: borders between materials" : "", left_off);
+                   "Dashed: undeformed%s.%s%s",
+                   r->segment.dofs, base[(unsigned)r->segment_base % 3],
+                   tip[(unsigned)r->segment_tip % 4], scale,
+                   s->borders ? "; white lines: borders between materials" : "", left_off,
+                   s->value == SURFACE_MISES
+                       ? " The scale ends at the largest stress between a tenth of the length from "
+                         "either end: where a clamped edge meets the surface there is no largest one."
+                       : "");
     y = say_paragraph(c, side, y, l->width - 2 * side, LOOK_SMALL, text);
     if (s->fig4) {
         fig4_note(r, text, sizeof text);
@@ -154,8 +166,9 @@ static status draw(canvas *c, const void *data)
     const double scale = fmin((l.panel_width - 110) / wide, (view_height - 100) / high);
 
     say(c, side, 36, LOOK_TITLE, "%s",
-        s->fig4 ? "Fig. 4 regenerated: the same load at two points"
-                : "The segment under its tip loads");
+        s->value == SURFACE_MISES ? "Von Mises stress under the tip loads"
+        : s->fig4                 ? "Fig. 4 regenerated: the same load at two points"
+                                  : "The segment under its tip loads");
     say_within(c, side, 56, l.width - 2 * side, LOOK_SMALL, s->r->title);
     for (int i = 0; i < l.npanel; i++) {
         const segment_load_result *load = &s->r->segment.load[i];
@@ -177,24 +190,17 @@ done:
     return st;
 }
 
-status figure_segments(const run_result *r, const char *dir)
+static status draw_scene(const run_result *r, surface_value value, const char *dir)
 {
     status st = OK;
     segment_scene scene = {0};
-    if (!r->has_segment || r->segment.nload == 0 || r->segment_mesh.nnode == 0) {
-        return OK;
-    }
-    for (int i = 0; i < r->segment.nload; i++) {
-        if (!r->segment.load[i].displacement) {
-            return OK; // nothing to show: the run kept no displacements
-        }
-    }
-
-    TRY(segment_scene_make(r, &scene));
+    TRY(segment_scene_make(r, value, &scene));
     const layout l = arrange(&scene);
     const picture p = {
-        .name = "segment",
-        .title = "The deformed segment under each of its tip loads, coloured by displacement",
+        .name = value == SURFACE_MISES ? "segment_stress" : "segment",
+        .title = value == SURFACE_MISES
+                     ? "The deformed segment under each of its tip loads, coloured by von Mises stress"
+                     : "The deformed segment under each of its tip loads, coloured by displacement",
         .width = l.width,
         .height = l.height,
         .draw = draw,
@@ -204,5 +210,23 @@ status figure_segments(const run_result *r, const char *dir)
 
 done:
     segment_scene_free(&scene);
+    return st;
+}
+
+status figure_segments(const run_result *r, const char *dir)
+{
+    status st = OK;
+    const segment_body *b = &r->segment.body;
+    bool moved = r->has_segment && r->segment.nload > 0 && b->nlevel > 0 &&
+                 b->last - b->first == b->nlevel;
+    bool stressed = moved && b->apart.nnode > 0;
+    for (int i = 0; moved && i < r->segment.nload; i++) {
+        moved = r->segment.load[i].displacement != NULL;
+        stressed = stressed && r->segment.load[i].stress != NULL;
+    }
+    TRY(moved ? draw_scene(r, SURFACE_DISPLACEMENT, dir) : OK);
+    TRY(moved && stressed ? draw_scene(r, SURFACE_MISES, dir) : OK);
+
+done:
     return st;
 }

@@ -127,8 +127,6 @@ void run_result_free(run_result *r)
     free(r->point);
     mesh_free(&r->section_mesh);
     free_rods(&r->rod);
-    mesh_free(&r->segment_plane);
-    mesh_free(&r->segment_mesh);
     segment_result_free(&r->segment);
     free(r->compare);
     *r = (run_result){0};

@@ -155,8 +155,7 @@ typedef struct run_result {
 
     double segment_length, segment_section_at; // [m]
     int segment_base, segment_tip;
-    mesh segment_plane, segment_mesh;
-    segment_result segment; // displacements kept
+    segment_result segment; // fields kept
 
     int ncompare;
     compare_row *compare;

@@ -1,16 +1,11 @@
 // reports/segment_surface.c
-#include "reports/segment_surface.h"
+#include "reports/segment_surface_parts.h"
 
 #include "base/memory.h"
+#include "section/fields.h"
 
 #include <math.h>
-#include <stdlib.h>
-
-enum {
-    WANTED_AROUND = 64, // facets around the section, so that a circle looks round on paper
-    WANTED_ALONG = 56,  // and along it, so that the colour changes smoothly
-    MAX_CUTS = 16,      // of one element
-};
+#include <string.h>
 
 camera camera_from(double azimuth, double elevation)
 {
@@ -27,45 +22,47 @@ vec3 camera_see(const camera *c, vec3 p)
     return (vec3){{vec3_dot(c->right, p), vec3_dot(c->up, p), vec3_dot(c->eye, p)}};
 }
 
-typedef struct surface_maker {
-    const mesh *plane, *solid;
-    const double *displacement;
-    double magnify;
-    const camera *camera;
-    vec3 light;
-    int nlayer;
-    double radius; // of a circle about the origin that holds the section [m]
-    int room;
-    segment_surface out;
-} surface_maker;
+// --- points
 
-typedef struct surface_point {
-    vec3 at;      // deformed, magnified [m]
-    double value; // [m]
-} surface_point;
-
-// sum of N_i M_k over plane nodes i and levels k
-static surface_point point_of(const surface_maker *m, int nplane, const int *node, const double *N,
-                              int level, int nlevel, const double *M)
+static double value_of(const surface_maker *m, const double *u, const double *stress)
 {
-    double u[3] = {0}, x[3] = {0};
+    vec6 s;
+    if (m->value == SURFACE_DISPLACEMENT) {
+        return sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
+    }
+    memcpy(s.a, stress, sizeof s.a);
+    return von_mises(&s);
+}
+
+surface_point surface_point_of(const surface_maker *m, const surface_nodes *at, const double *N,
+                               int level, int nlevel, const double *M)
+{
+    double u[3] = {0}, x[3] = {0}, stress[6] = {0};
+    const segment_body *b = m->body;
     for (int k = 0; k < nlevel; k++) {
-        for (int i = 0; i < nplane; i++) {
-            const int at = 3 * (node[i] + m->plane->nnode * (level + k));
+        for (int i = 0; i < at->count; i++) {
+            const double w = N[i] * M[k];
+            const size_t row = (size_t)(level + k);
+            const size_t node = row * (size_t)b->plane.nnode + (size_t)at->node[i];
             for (int d = 0; d < 3; d++) {
-                x[d] += N[i] * M[k] * m->solid->xyz[at + d];
-                u[d] += N[i] * M[k] * m->displacement[at + d];
+                x[d] += w * b->node[3 * node + (size_t)d];
+                u[d] += w * m->load->displacement[3 * node + (size_t)d];
+            }
+            for (int d = 0; m->value == SURFACE_MISES && d < 6; d++) {
+                const size_t own = row * (size_t)b->apart.nnode + (size_t)at->apart[i];
+                stress[d] += w * m->load->stress[6 * own + (size_t)d];
             }
         }
     }
     const vec3 move = {{u[0], u[1], u[2]}};
     return (surface_point){vec3_add((vec3){{x[0], x[1], x[2]}}, vec3_scale(m->magnify, move)),
-                           vec3_norm(move)};
+                           value_of(m, u, stress)};
 }
 
 // corners counter-clockwise as seen from outside
-static status add_facet(surface_maker *m, int n, const surface_point *const *corner, bool border)
+status surface_add_facet(surface_maker *m, int n, const surface_point *const *corner, bool border)
 {
+    status st = OK;
     const vec3 normal = vec3_cross(vec3_sub(corner[n / 2]->at, corner[0]->at),
                                    vec3_sub(corner[n - 1]->at, corner[1]->at));
     const double size = vec3_norm(normal);
@@ -73,7 +70,13 @@ static status add_facet(surface_maker *m, int n, const surface_point *const *cor
         return OK;
     }
     if (m->out.count == m->room) {
-        return status_fail(ERR_BUG, "segment_surface: more facets than were counted");
+        const int room = m->room > 0 ? 2 * m->room : 4096;
+        facet *more = realloc(m->out.facet, (size_t)room * sizeof *more);
+        if (!more) {
+            TRY(status_fail(ERR_RESOURCE, "out of memory for the picture of the segment"));
+        }
+        m->out.facet = more;
+        m->room = room;
     }
     facet *f = &m->out.facet[m->out.count++];
     *f = (facet){.ncorner = n, .border = border};
@@ -85,174 +88,62 @@ static status add_facet(surface_maker *m, int n, const surface_point *const *cor
         f->value += corner[i]->value / n;
     }
     f->light = vec3_dot(normal, m->light) / size;
-    return OK;
-}
-
-// --- the sides ---
-
-static int cuts_for(int wanted, double part)
-{
-    const double cuts = round(wanted * part);
-    return cuts < 1 ? 1 : cuts > MAX_CUTS ? MAX_CUTS : (int)cuts;
-}
-
-// by its share of the circumference of a circle around the section
-static int cuts_of_edge(const surface_maker *m, const plane_edge *edge, int order)
-{
-    const double *a = m->plane->xyz + 3 * (size_t)edge->node[0];
-    const double *b = m->plane->xyz + 3 * (size_t)edge->node[order];
-    const double around = 2 * acos(-1.0) * m->radius;
-    return cuts_for(WANTED_AROUND, around > 0 ? hypot(b[0] - a[0], b[1] - a[1]) / around : 0);
-}
-
-static double level_z(const surface_maker *m, int level)
-{
-    return m->solid->xyz[3 * (size_t)m->plane->nnode * (size_t)level + 2];
-}
-
-static int cuts_of_layer(const surface_maker *m, int layer)
-{
-    const int p = m->solid->order;
-    const double height = level_z(m, (layer + 1) * p) - level_z(m, layer * p);
-    const double length = level_z(m, m->nlayer * p) - level_z(m, 0);
-    return cuts_for(WANTED_ALONG, length > 0 ? height / length : 0);
-}
-
-static status add_side(surface_maker *m, const element *line, const plane_edge *edge, int layer,
-                       const int cuts[2], bool border)
-{
-    status st = OK;
-    const int p = line->order;
-    surface_point grid[MAX_CUTS + 1][MAX_CUTS + 1];
-
-    for (int j = 0; j <= cuts[1]; j++) {
-        double M[ELEMENT_MAX_ORDER + 1];
-        element_basis(line, &(double){2.0 * j / cuts[1] - 1}, M, NULL);
-        for (int i = 0; i <= cuts[0]; i++) {
-            double N[ELEMENT_MAX_ORDER + 1];
-            element_basis(line, &(double){2.0 * i / cuts[0] - 1}, N, NULL);
-            grid[j][i] = point_of(m, p + 1, edge->node, N, layer * p, p + 1, M);
-        }
-    }
-    for (int j = 0; j < cuts[1]; j++) {
-        for (int i = 0; i < cuts[0]; i++) {
-            const surface_point *corner[4] = {&grid[j][i], &grid[j][i + 1], &grid[j + 1][i + 1],
-                                              &grid[j + 1][i]};
-            TRY(add_facet(m, 4, corner, border && i == 0));
-        }
-    }
 
 done:
     return st;
 }
 
-// the material of the outer side that ends where this one begins differs
-static bool *find_borders(const plane_edges *edges)
+// --- which of a node's copies belongs to a material
+
+static int by_node(const void *a, const void *b)
 {
-    const int p = edges->line.order;
-    int *ends = malloc(sizeof *ends * (size_t)edges->mesh->nnode);
-    bool *border = calloc((size_t)edges->count + 1, sizeof *border);
-    if (!ends || !border) {
-        free(ends);
-        free(border);
-        return NULL;
-    }
-    for (int i = 0; i < edges->mesh->nnode; i++) {
-        ends[i] = -1;
-    }
-    for (int i = 0; i < edges->count; i++) {
-        if (edges->edge[i].other < 0) {
-            ends[edges->edge[i].node[p]] = edges->edge[i].material;
-        }
-    }
-    for (int i = 0; i < edges->count; i++) {
-        const plane_edge *e = &edges->edge[i];
-        border[i] = e->other < 0 && ends[e->node[0]] >= 0 && ends[e->node[0]] != e->material;
-    }
-    free(ends);
-    return border;
+    const surface_copy *p = a, *q = b;
+    return p->node != q->node           ? (p->node > q->node) - (p->node < q->node)
+           : p->material != q->material ? (p->material > q->material) - (p->material < q->material)
+                                        : (p->apart > q->apart) - (p->apart < q->apart);
 }
 
-static status add_sides(surface_maker *m, const plane_edges *edges)
+static status find_copies(surface_maker *m)
 {
     status st = OK;
-    bool *border = find_borders(edges);
-    if (!border) {
-        return status_fail(ERR_RESOURCE, "out of memory for the picture of the segment");
+    const mesh *plane = &m->body->plane, *apart = &m->body->apart;
+    size_t n = 0;
+    for (int b = 0; b < plane->nblock; b++) {
+        n += (size_t)plane->block[b].nelem * (size_t)plane->block[b].per_elem;
     }
-    for (int i = 0; i < edges->count; i++) {
-        const plane_edge *edge = &edges->edge[i];
-        for (int layer = 0; edge->other < 0 && layer < m->nlayer; layer++) {
-            const int cuts[2] = {cuts_of_edge(m, edge, edges->line.order), cuts_of_layer(m, layer)};
-            TRY(add_side(m, &edges->line, edge, layer, cuts, border[i]));
+    TRY(TAKE(m->copy, n));
+    for (int b = 0; b < plane->nblock; b++) {
+        const mesh_block *k = &plane->block[b];
+        for (int i = 0; i < k->nelem * k->per_elem; i++) {
+            m->copy[m->ncopy++] =
+                (surface_copy){k->conn[i], k->material[i / k->per_elem], apart->block[b].conn[i]};
         }
     }
-
-done:
-    free(border);
-    return st;
-}
-
-// --- the end ---
-
-// corner (i, j) of the lattice that cuts a reference quad or triangle
-static surface_point cap_point(const surface_maker *m, const element *e, const int *node, int level,
-                               double i, double j, int cuts)
-{
-    const bool quad = e->shape == SHAPE_QUAD;
-    const double x[2] = {quad ? 2 * i / cuts - 1 : i / cuts, quad ? 2 * j / cuts - 1 : j / cuts};
-    double N[ELEMENT_MAX_PLANE_NODES];
-    element_basis(e, x, N, NULL);
-    return point_of(m, e->nnode, node, N, level, 1, &(double){1});
-}
-
-static status add_cap_element(surface_maker *m, const element *e, const int *node, int level,
-                              int cuts)
-{
-    status st = OK;
-    for (int j = 0; j < cuts; j++) {
-        for (int i = 0; i < (e->shape == SHAPE_QUAD ? cuts : cuts - j); i++) {
-            const surface_point a = cap_point(m, e, node, level, i, j, cuts);
-            const surface_point b = cap_point(m, e, node, level, i + 1, j, cuts);
-            const surface_point d = cap_point(m, e, node, level, i, j + 1, cuts);
-            if (e->shape == SHAPE_TRIANGLE && i + j + 1 == cuts) {
-                TRY(add_facet(m, 3, (const surface_point *[]){&a, &b, &d}, false));
-                continue;
-            }
-            const surface_point c = cap_point(m, e, node, level, i + 1, j + 1, cuts);
-            TRY(add_facet(m, 4, (const surface_point *[]){&a, &b, &c, &d}, false));
-        }
-    }
+    qsort(m->copy, (size_t)m->ncopy, sizeof *m->copy, by_node);
 
 done:
     return st;
 }
 
-static int cap_cuts(const surface_maker *m)
+// the first copy of the node with the material; by layers' matter it may have another one: the
+// node's only copy then
+int surface_copy_of(const surface_maker *m, int node, int material)
 {
-    // an element's size from the mean area
-    const double side = m->radius * sqrt(acos(-1.0) / mesh_element_count(m->plane));
-    const double around = 2 * acos(-1.0) * m->radius;
-    return cuts_for(WANTED_AROUND, around > 0 ? side / around : 0);
-}
-
-static status add_cap(surface_maker *m, int level)
-{
-    status st = OK;
-    element e = {0};
-    for (int b = 0; b < m->plane->nblock; b++) {
-        const mesh_block *block = &m->plane->block[b];
-        TRY(element_make(block->shape, m->plane->order, &e));
-        for (int k = 0; k < block->nelem; k++) {
-            TRY(add_cap_element(m, &e, block->conn + k * block->per_elem, level, cap_cuts(m)));
+    int low = 0, high = m->ncopy;
+    const surface_copy wanted = {node, material, -1};
+    while (low < high) {
+        const int mid = (low + high) / 2;
+        if (by_node(&m->copy[mid], &wanted) < 0) {
+            low = mid + 1;
+        } else {
+            high = mid;
         }
     }
-
-done:
-    return st;
+    const bool there = low < m->ncopy && m->copy[low].node == node;
+    return m->ncopy == 0 ? 0 : m->copy[there ? low : low - 1].apart;
 }
 
-// --- all of it ---
+// --- all of it
 
 static int farthest_first(const void *a, const void *b)
 {
@@ -260,53 +151,37 @@ static int farthest_first(const void *a, const void *b)
     return (f->depth > g->depth) - (f->depth < g->depth);
 }
 
-static void count_facets(surface_maker *m, const plane_edges *edges)
-{
-    int along = 0, around = 0;
-    for (int layer = 0; layer < m->nlayer; layer++) {
-        along += cuts_of_layer(m, layer);
-    }
-    for (int i = 0; i < edges->count; i++) {
-        around +=
-            edges->edge[i].other < 0 ? cuts_of_edge(m, &edges->edge[i], edges->line.order) : 0;
-    }
-    m->room = around * along + mesh_element_count(m->plane) * cap_cuts(m) * cap_cuts(m);
-}
-
-status segment_surface_make(const run_result *r, const plane_edges *edges,
-                            const double *displacement, double magnify, const camera *camera,
+status segment_surface_make(const segment_body *body, const segment_load_result *load,
+                            surface_value value, double magnify, const camera *camera,
                             segment_surface *out)
 {
     status st = OK;
-    const mesh *plane = &r->segment_plane, *solid = &r->segment_mesh;
     const vec3 light = vec3_add(vec3_scale(0.45, camera->up),
                                 vec3_add(vec3_scale(-0.45, camera->right), camera->eye));
     surface_maker m = {
-        .plane = plane,
-        .solid = solid,
-        .displacement = displacement,
+        .body = body,
+        .load = load,
+        .value = value,
         .magnify = magnify,
         .camera = camera,
         .light = vec3_scale(1 / vec3_norm(light), light),
     };
 
-    if (plane->nnode == 0 || solid->nnode % plane->nnode != 0 ||
-        (solid->nnode / plane->nnode - 1) % solid->order != 0) {
-        TRY(status_fail(ERR_BUG, "segment_surface: the solid mesh is not the plane one, extruded"));
+    if (body->nlevel < 2 || body->first != 0 || body->last != body->nlevel || !load->displacement ||
+        (value == SURFACE_MISES && !load->stress)) {
+        TRY(status_fail(ERR_BUG, "segment_surface: the segment is not all here"));
     }
-    m.nlayer = (solid->nnode / plane->nnode - 1) / solid->order;
-    for (int i = 0; i < plane->nnode; i++) {
-        m.radius = fmax(m.radius, hypot(plane->xyz[3 * i], plane->xyz[3 * i + 1]));
+    for (int i = 0; i < body->plane.nnode; i++) {
+        m.radius = fmax(m.radius, hypot(body->plane.xyz[3 * i], body->plane.xyz[3 * i + 1]));
     }
-    count_facets(&m, edges);
-    TRY(TAKE(m.out.facet, (size_t)m.room));
-    TRY(add_sides(&m, edges));
-    TRY(add_cap(&m, m.nlayer * solid->order));
+    TRY(value == SURFACE_MISES ? find_copies(&m) : OK);
+    TRY(surface_add_all(&m));
     qsort(m.out.facet, (size_t)m.out.count, sizeof *m.out.facet, farthest_first);
     *out = m.out;
     m.out = (segment_surface){0};
 
 done:
+    free(m.copy);
     segment_surface_free(&m.out);
     return st;
 }
@@ -317,12 +192,22 @@ void segment_surface_free(segment_surface *s)
     *s = (segment_surface){0};
 }
 
-double segment_largest_displacement(const run_result *r, const double *displacement)
+static const double END_PART = 0.1; // of the length, where stresses are those of the ends
+
+double segment_largest(const segment_body *body, const segment_load_result *load,
+                       surface_value value)
 {
     double largest = 0;
-    for (int i = 0; i < r->segment_mesh.nnode; i++) {
-        const double *u = displacement + 3 * i;
-        largest = fmax(largest, sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]));
+    const surface_maker m = {.value = value};
+    const bool mises = value == SURFACE_MISES;
+    const int n = mises ? body->apart.nnode : body->plane.nnode;
+    const double from = body->level[0], length = body->level[body->nlevel - 1] - from;
+    for (int i = 0; i < (body->last - body->first) * n; i++) {
+        const double at = (body->level[body->first + i / n] - from) / length;
+        if (!mises || (at >= END_PART && at <= 1 - END_PART)) {
+            largest = fmax(largest, value_of(&m, mises ? NULL : load->displacement + 3 * (size_t)i,
+                                             mises ? load->stress + 6 * (size_t)i : NULL));
+        }
     }
     return largest;
 }

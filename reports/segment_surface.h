@@ -1,5 +1,5 @@
 // reports/segment_surface.h
-// The outer surface of an extruded segment, cut into small flat facets that a painter can sort.
+// The outer surface of a segment, cut into small flat facets that a painter can sort.
 #pragma once
 
 #include "base/dense.h"
@@ -21,7 +21,7 @@ typedef struct facet {
     double at[4][2]; // on the paper [m], x right, y up
     double depth;    // of its middle, towards the eye [m]
     double light;    // cosine between its normal and the light, -1..1
-    double value;    // size of the displacement there [m]
+    double value;    // size of the displacement there [m], or von Mises stress [Pa]
     bool border;     // materials meet along the side from corner 0 to the last corner
 } facet;
 
@@ -30,12 +30,16 @@ typedef struct segment_surface {
     facet *facet; // those that face the eye, the farthest first
 } segment_surface;
 
-// displacement [solid nnode][3] is multiplied by `magnify` before it is added; `value` stays as it
-// is.
-status segment_surface_make(const run_result *r, const plane_edges *edges,
-                            const double *displacement, double magnify, const camera *camera,
+typedef enum surface_value { SURFACE_DISPLACEMENT, SURFACE_MISES } surface_value;
+
+// Displacements are multiplied by `magnify` before they are added; `value` stays as it is. The
+// segment has all its levels here, and stresses where those are wanted.
+status segment_surface_make(const segment_body *body, const segment_load_result *load,
+                            surface_value value, double magnify, const camera *camera,
                             segment_surface *out);
 void segment_surface_free(segment_surface *s);
 
-// Largest size of a displacement over the surface's nodes [m].
-double segment_largest_displacement(const run_result *r, const double *displacement);
+// Largest value over the nodes; of stresses, which clamped edges concentrate without bound as meshes
+// get finer, between a tenth of the length from either end.
+double segment_largest(const segment_body *body, const segment_load_result *load,
+                       surface_value value);
