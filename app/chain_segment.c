@@ -19,24 +19,6 @@ done:
     return st;
 }
 
-// pictures need the solid; a driver that has none made an extrusion's levels
-static status take_meshes(const segment_case *chosen, run_result *out)
-{
-    status st = OK;
-    segment_result *r = &out->segment;
-    const extrude_options options = {
-        .length = chosen->length, .layers = chosen->layers, .grading = chosen->grading};
-    if (r->solid.nnode == 0 && r->plane.nnode > 0) {
-        TRY(mesh_extrude(&r->plane, &options, &r->solid, NULL));
-    }
-    out->segment_plane = r->plane;
-    out->segment_mesh = r->solid;
-    r->plane = r->solid = (mesh){0};
-
-done:
-    return st;
-}
-
 // of a drawing the materials are known with its mesh
 static status check_drawing(const case_data *c)
 {
@@ -64,8 +46,6 @@ status chain_segment(const case_data *c, bool displacements, run_result *out)
     TRY(segment_points(c, point));
     st = segment_solve(sc, &source, (const double(*)[2])point, displacements, &out->segment);
     TRY(case_place(c, st, sc->at));
-    const segment_case chosen = segment_choose(sc, source.radius);
-    TRY(take_meshes(&chosen, out));
     out->has_segment = true;
     out->segment_length = sc->length;
     out->segment_section_at = sc->section_at;

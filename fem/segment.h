@@ -164,7 +164,8 @@ typedef struct segment_body {
     int order, nlayer, nlevel; // of the layers; nlevel = nlayer order + 1
     double *level;             // [nlevel] s [m]
     int *matter; // [nlayer][elements of the plane mesh] material, -1: nothing; NULL: as in the mesh
-    int first, last; // levels that are here: all of them, but where ranks share them out
+    bool shared; // ranks share the levels out
+    int first, last; // levels that are here
     double *node;    // [last - first][plane nnode][3] places [m]
 } segment_body;
 void segment_body_free(segment_body *b);

@@ -106,13 +106,14 @@ done:
 static status keep_levels(const body *b, const way_run *run, segment_body *out)
 {
     status st = OK;
-    const bool shared = run->own_last > run->own_first;
+    const bool own = run->shared || run->own_last > run->own_first;
     const size_t nplane = (size_t)b->plane->nnode;
+    out->shared = run->shared;
     out->order = b->order;
     out->nlayer = b->nlayer;
     out->nlevel = b->nlevel;
-    out->first = shared ? run->own_first : run->first;
-    out->last = shared ? run->own_last : run->last;
+    out->first = own ? run->own_first : run->first;
+    out->last = own ? run->own_last : run->last;
     TRY(TAKE(out->level, (size_t)b->nlevel));
     memcpy(out->level, b->level, (size_t)b->nlevel * sizeof *b->level);
     TRY(TAKE(out->node, 3 * nplane * (size_t)(out->last - out->first)));

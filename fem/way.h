@@ -42,6 +42,7 @@ typedef struct way_run {
     // where fields were asked for: levels of the body that this rank has, those of the layer below
     // its own among them, so that it knows all elements about its own levels
     int first, last;
+    bool shared; // ranks have different levels: all of them must take part in writing fields
     int own_first, own_last; // of those what is this rank's to tell: every level is one rank's;
                              // both 0: all of them
     double *u;               // [ncolumn][last - first][nplane][3] [m]

@@ -39,11 +39,25 @@ typedef struct hdf5_door {
     // Groups are made as needed; unit becomes the attribute `unit`.
     status (*write)(hdf5_file *f, const char *name, const hdf5_array *array, const void *data,
                     const char *unit);
+    // The same in two steps: room for an array, then some of its rows, from `first` on; array: kind
+    // and shape of these rows.
+    status (*make)(hdf5_file *f, const char *name, const hdf5_array *array, const char *unit);
+    status (*rows)(hdf5_file *f, const char *name, size_t first, const hdf5_array *array,
+                   const void *data);
     // An attribute of a group, which is made as needed; "/" is the root.
     status (*put)(hdf5_file *f, const char *group, const char *name, const hdf5_array *array,
                   const void *data);
     // The new file's bytes, *image the caller's to free; f stays open.
     status (*image)(const hdf5_file *f, void **image, size_t *bytes);
+    // Of several ranks, as they run under mpirun; 0 and 1 where MPI was not started.
+    void (*ranks)(int *rank, int *size);
+    void (*tell)(void *data, size_t size); // the first rank's bytes to all
+    status (*agree)(status mine);          // the worst of all ranks
+    // (all) A new file that all ranks write: every function but `rows` is called by all alike. What
+    // fails on one of them is told by `finish`, which closes and frees f.
+    status (*create_shared)(const char *path, hdf5_file **out);
+    status (*finish)(hdf5_file *f);
+
     void (*close)(hdf5_file *f); // a new file, which is lost. A file that is read ends with its
                                  // process
 

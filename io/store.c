@@ -5,23 +5,13 @@
 #include "base/memory.h"
 #include "io/disk.h"
 #include "io/store_grid.h"
-#include "io/store_reader.h"
+#include "io/store_inside.h"
 
-#include <limits.h>
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
 
-static const char schema[] = "stiffaxis/result/2";
 static const char creator[] = "stiffaxis " STIFFAXIS_VERSION;
-
-struct store {
-    char path[DISK_MAX_PATH - 64]; // room for ".tmp-PID"
-    char work[DISK_MAX_PATH];
-    const hdf5_door *door; // writing
-    hdf5_file *file;
-    store_reader reader; // reading
-};
 
 // --- writing -------------------------------------------------------------------------------------
 
@@ -42,24 +32,35 @@ static status put_root_text(const store *s, const char *name, const char *text)
     return s->door->put(s->file, "/", name, &array, text);
 }
 
-status store_create(const char *path, store **out)
+// the file's name and that under which it is written
+static status choose_names(store *s, const char *path)
 {
     status st = OK;
     char parent[DISK_MAX_PATH];
-    store *s = NULL;
-    TRY(TAKE(s, 1));
-    s->reader = (store_reader){.child = -1, .channel = -1};
     TRY(disk_join(s->path, sizeof s->path, "%s", path));
     TRY(disk_join(s->work, sizeof s->work, "%s.tmp-%ld", path, (long)getpid()));
     TRY(disk_parent(path, parent, sizeof parent));
     if (access(parent, W_OK) != 0) {
         TRY(disk_fail(parent, "write into the directory"));
     }
+
+done:
+    return st;
+}
+
+status store_create(const char *path, store **out)
+{
+    status st = OK;
+    store *s = NULL;
+    TRY(TAKE(s, 1));
+    s->reader = (store_reader){.child = -1, .channel = -1};
+    s->first_rank = true;
+    TRY(choose_names(s, path));
     TRY(open_door(&s->door));
     (void)unlink(s->work); // left behind by a killed run whose process number comes again
     TRY(s->door->create(s->work, &s->file));
     TRY(put_root_text(s, "creator", creator));
-    TRY(put_root_text(s, "schema", schema));
+    TRY(put_root_text(s, "schema", STORE_SCHEMA));
     *out = s;
     s = NULL;
 
@@ -68,8 +69,72 @@ done:
     return st;
 }
 
+status store_create_shared(const char *path, store **out)
+{
+    status st = OK;
+    int rank = 0, size = 1;
+    store *s = NULL;
+    *out = NULL;
+    TRY(TAKE(s, 1));
+    s->reader = (store_reader){.child = -1, .channel = -1};
+    TRY(open_door(&s->door));
+    s->door->ranks(&rank, &size);
+    s->first_rank = rank == 0;
+    TRY(s->door->agree(s->first_rank && path ? choose_names(s, path) : OK));
+    s->door->tell(s->path, sizeof s->path);
+    s->door->tell(s->work, sizeof s->work);
+    if (s->path[0] == '\0') {
+        goto done;
+    }
+    TRY(s->door->create_shared(s->work, &s->file));
+    s->shared = true;
+    TRY(put_root_text(s, "creator", creator));
+    TRY(put_root_text(s, "schema", STORE_SCHEMA));
+    *out = s;
+    s = NULL;
+
+done:
+    store_abandon(s);
+    return st;
+}
+
+// everything is in the file of that name: on disk for good, and under its own name
+static status settle(const store *s)
+{
+    status st = OK;
+    char parent[DISK_MAX_PATH];
+    TRY(disk_sync(s->work));
+    if (rename(s->work, s->path) != 0) {
+        TRY(disk_fail(s->path, "rename the result to"));
+    }
+    TRY(disk_parent(s->path, parent, sizeof parent));
+    TRY(disk_sync(parent));
+
+done:
+    return st;
+}
+
+static status commit_shared(store *s)
+{
+    status st = OK;
+    hdf5_file *file = s->file;
+    s->file = NULL;
+    TRY(s->door->finish(file));
+    TRY(s->door->agree(s->first_rank ? settle(s) : OK));
+
+done:
+    if (st != OK && s->first_rank) {
+        (void)unlink(s->work);
+    }
+    store_abandon(s);
+    return st;
+}
+
 status store_commit(store *s)
 {
+    if (s->shared) {
+        return commit_shared(s);
+    }
     status st = OK;
     void *image = NULL;
     size_t bytes = 0;
@@ -93,8 +158,10 @@ void store_abandon(store *s)
     if (!s) {
         return;
     }
-    if (s->file) {
+    if (s->file && !s->shared) { // all ranks close a shared file, or none: the process ends
         s->door->close(s->file);
+    }
+    if (s->file && s->first_rank) {
         (void)unlink(s->work); // gone already after a commit
     }
     free(s);
@@ -119,6 +186,21 @@ status store_real(store *s, const char *name, int rank, const size_t *shape, con
     return write_array(s, name, HDF5_REAL, rank, shape, data, unit);
 }
 
+status store_make(store *s, const char *name, int rank, const size_t *shape, const char *unit)
+{
+    hdf5_array array = {.kind = HDF5_REAL, .rank = rank};
+    memcpy(array.shape, shape, (size_t)rank * sizeof *shape);
+    return s->door->make(s->file, name, &array, unit);
+}
+
+status store_rows(store *s, const char *name, size_t first, int rank, const size_t *shape,
+                  const double *data)
+{
+    hdf5_array array = {.kind = HDF5_REAL, .rank = rank};
+    memcpy(array.shape, shape, (size_t)rank * sizeof *shape);
+    return s->door->rows(s->file, name, first, &array, data);
+}
+
 status store_integer(store *s, const char *name, int rank, const size_t *shape, const int *data)
 {
     return write_array(s, name, HDF5_INTEGER, rank, shape, data, "-");
@@ -133,137 +215,5 @@ status store_text(store *s, const char *name, const char *text, size_t length)
 
 status store_grid(store *s, int npiece, const store_grid_piece *pieces)
 {
-    return store_grid_write(s->door, s->file, npiece, pieces);
-}
-
-// --- reading -------------------------------------------------------------------------------------
-
-// the reader's words with the file's name in front
-static status blame_file(const store *s, status code)
-{
-    char words[READER_MAX_MESSAGE];
-    (void)snprintf(words, sizeof words, "%.*s", READER_MAX_MESSAGE - 1, status_message());
-    status_clear();
-    return status_fail(code, "%s: %s", s->path, words);
-}
-
-status store_open(const char *path, store **out)
-{
-    status st = OK;
-    store *s = NULL;
-    TRY(TAKE(s, 1));
-    s->reader = (store_reader){.child = -1, .channel = -1};
-    TRY(disk_join(s->path, sizeof s->path, "%s", path));
-    TRY(store_sniff(path));
-    st = store_reader_start(path, schema, &s->reader);
-    if (st != OK) {
-        TRY(blame_file(s, st));
-    }
-    *out = s;
-    s = NULL;
-
-done:
-    store_close(s);
-    return st;
-}
-
-bool store_has(const store *s, const char *name)
-{
-    return store_reader_has(&s->reader, name);
-}
-
-static status read_array(const store *s, const char *name, hdf5_array *array, void **data)
-{
-    const status st = store_reader_get(&s->reader, name, array, data);
-    return st == OK ? OK : blame_file(s, st);
-}
-
-static status read_kind(const store *s, const char *name, int kind, hdf5_array *array, void **data)
-{
-    status st = OK;
-    TRY(read_array(s, name, array, data));
-    if (array->kind != kind) {
-        free(*data);
-        *data = NULL;
-        *array = (hdf5_array){0};
-        TRY(status_fail(ERR_FILE, "%s: damaged: '%s' is of another kind", s->path, name));
-    }
-
-done:
-    return st;
-}
-
-static void give_shape(const hdf5_array *array, int *rank, size_t shape[4])
-{
-    *rank = array->rank;
-    for (int i = 0; i < HDF5_MAX_RANK; i++) {
-        shape[i] = i < array->rank ? array->shape[i] : 0;
-    }
-}
-
-status store_read_real(const store *s, const char *name, int *rank, size_t shape[4], double **data)
-{
-    hdf5_array array = {0};
-    void *bytes = NULL;
-    const status st = read_kind(s, name, HDF5_REAL, &array, &bytes);
-    give_shape(&array, rank, shape);
-    *data = bytes;
-    return st;
-}
-
-// the grid's indices are kept in other widths
-static bool item_as_int(const hdf5_array *array, const void *data, size_t i, int *out)
-{
-    const int64_t wide = array->kind == HDF5_BYTE      ? ((const uint8_t *)data)[i]
-                         : array->kind == HDF5_INTEGER ? ((const int *)data)[i]
-                                                       : ((const int64_t *)data)[i];
-    *out = (int)wide;
-    return wide >= INT_MIN && wide <= INT_MAX;
-}
-
-status store_read_integer(const store *s, const char *name, int *rank, size_t shape[4], int **data)
-{
-    status st = OK;
-    hdf5_array array = {0};
-    void *bytes = NULL;
-    size_t size = 0;
-    *data = NULL;
-    TRY(read_array(s, name, &array, &bytes));
-    bool ok = array.kind != HDF5_REAL && array.kind != HDF5_TEXT;
-    const size_t count = hdf5_array_bytes(&array, &size) ? size / hdf5_kind_size(array.kind) : 0;
-    TRY(TAKE(*data, count));
-    for (size_t i = 0; ok && i < count; i++) {
-        ok = item_as_int(&array, bytes, i, &(*data)[i]);
-    }
-    if (!ok) {
-        free(*data);
-        *data = NULL;
-        TRY(status_fail(ERR_FILE, "%s: damaged: '%s' is of another kind", s->path, name));
-    }
-
-done:
-    free(bytes);
-    give_shape(&array, rank, shape);
-    return st;
-}
-
-status store_read_text(const store *s, const char *name, char **text, size_t *length)
-{
-    hdf5_array array = {0};
-    void *bytes = NULL;
-    const status st = read_kind(s, name, HDF5_TEXT, &array, &bytes);
-    *text = bytes;
-    *length = array.shape[0];
-    if (*text && *length == 1 && (*text)[0] == '\0') {
-        *length = 0;
-    }
-    return st;
-}
-
-void store_close(store *s)
-{
-    if (s) {
-        store_reader_stop(&s->reader);
-    }
-    free(s);
+    return store_grid_write(s->door, s->file, s->first_rank, npiece, pieces);
 }

@@ -13,6 +13,9 @@
 typedef struct store store;
 
 status store_create(const char *path, store **out); // nothing on disk until store_commit
+// (all) The same by all ranks of an mpirun together, where MPI was started: the first one's path
+// counts, and everything below is called by all alike. No path there: *out is NULL.
+status store_create_shared(const char *path, store **out);
 status store_commit(store *s); // everything or nothing: path.tmp-PID, renamed; frees s
 void store_abandon(store *s);  // NULL is fine
 
@@ -20,6 +23,10 @@ void store_abandon(store *s);  // NULL is fine
 // attribute `unit`.
 status store_real(store *s, const char *name, int rank, const size_t *shape, const double *data,
                   const char *unit);
+// Of an array that ranks share: room for all of it, then what this one has, rows from `first` on.
+status store_make(store *s, const char *name, int rank, const size_t *shape, const char *unit);
+status store_rows(store *s, const char *name, size_t first, int rank, const size_t *shape,
+                  const double *data);
 status store_integer(store *s, const char *name, int rank, const size_t *shape, const int *data);
 status store_text(store *s, const char *name, const char *text, size_t length);
 
@@ -29,11 +36,23 @@ status store_text(store *s, const char *name, const char *text, size_t length);
 typedef struct store_field {
     const char *name;   // with its unit, "displacement_GC_m"
     int ncomponent;     // 1, 3, or 6 for a symmetric tensor, as VTK has it: xx yy zz xy yz xz
-    const double *data; // [nnode][ncomponent]
+    const double *data; // [nnode][ncomponent] of the nodes here; NULL: not a number, everywhere
 } store_field;
+
+// A solid: the elements of a plane mesh, layer upon layer. A rank of several has some of its
+// levels.
+typedef struct store_layers {
+    int order, nlayer; // nlayer order + 1 levels
+    const int *matter; // [nlayer][elements of the plane mesh] material, -1: nothing there; NULL:
+                       // the plane mesh's own in every layer
+    int first, last;   // levels here: first <= level < last
+    const double *xyz; // [last - first][nnode of the plane mesh][3] [m]
+} store_layers;
+
 typedef struct store_grid_piece {
     const mesh *mesh;
-    const double *displacement; // added to the coordinates; NULL: undeformed
+    const store_layers *layers; // NULL: the mesh alone, whole on the first rank
+    const double *displacement; // [nodes here][3] added to the coordinates; NULL: undeformed
     int nfield;
     const store_field *field;
 } store_grid_piece;

@@ -7,5 +7,7 @@
 #include "io/store.h"
 
 // ERR_BUG where the pieces' fields differ or an element is neither plane nor solid.
-status store_grid_write(const hdf5_door *door, hdf5_file *file, int npiece,
+//
+// Of several ranks each writes its own levels, the first one what has none; all call it.
+status store_grid_write(const hdf5_door *door, hdf5_file *file, bool first_rank, int npiece,
                         const store_grid_piece *pieces);

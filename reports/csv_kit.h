@@ -29,3 +29,6 @@ status csv_stresses(const run_result *r, const char *dir);
 
 // reports/csv_models.c: models.csv, a row per entry of the tip's compliance.
 status csv_models(const model_checks *m, const char *dir);
+
+// reports/csv_segment.c: segment.csv and segment_slices.csv.
+status csv_segment(const run_result *r, const char *dir);

@@ -63,7 +63,8 @@ static void measure(segment_scene *s)
 status segment_scene_make(const run_result *r, surface_value value, segment_scene *out)
 {
     status st = OK;
-    segment_scene s = {.r = r, .magnify = 1, .value = value, .fig4 = fig4_is(r) && value == SURFACE_DISPLACEMENT};
+    segment_scene s = {
+        .r = r, .magnify = 1, .value = value, .fig4 = fig4_is(r) && value == SURFACE_DISPLACEMENT};
     const segment_body *body = &r->segment.body;
     double moves = 0;
 

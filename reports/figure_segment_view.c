@@ -249,7 +249,7 @@ status segment_view(canvas *c, const segment_scene *s, int load, box at, double 
     };
 
     TRY(segment_surface_make(&s->r->segment.body, &s->r->segment.load[load], s->value, s->magnify,
- &s->camera, &surface));
+                             &s->camera, &surface));
     ground(&h);
     for (int i = 0; i < surface.count; i++) {
         paint_facet(&h, &surface.facet[i]);

@@ -51,7 +51,8 @@ static void colour_bar(canvas *c, const segment_scene *s, box at)
         canvas_stroke(c, INK_SOFT, 0.8);
         say(c, at.x + at.w + 8, y + 3.7, LOOK_TICK, "%s", number_fixed(i * step, decimals).text);
     }
-    say(c, at.x, at.y - 26, look_inked(LOOK_SMALL, INK), "%s", mises ? "von Mises" : "displacement");
+    say(c, at.x, at.y - 26, look_inked(LOOK_SMALL, INK), "%s",
+        mises ? "von Mises" : "displacement");
     say(c, at.x, at.y - 11, look_inked(LOOK_SMALL, INK), "%s", mises ? "stress, MPa" : "size, mm");
 }
 
@@ -127,8 +128,8 @@ static void number_table(canvas *c, const segment_scene *s, int load, box at)
 static void notes(canvas *c, const segment_scene *s, const layout *l, double y)
 {
     static const char *const base[] = {"clamped", "free to contract sideways", "free"};
-    static const char *const tip[] = {"rigid cap", "traction proportional to E",
-                                      "uniform traction", "free"};
+    static const char *const tip[] = {"rigid cap", "traction proportional to E", "uniform traction",
+                                      "free"};
     const run_result *r = s->r;
     char text[768], scale[96] = "at true scale", left_off[64] = "";
     if (s->magnify != 1) {
@@ -139,16 +140,16 @@ static void notes(canvas *c, const segment_scene *s, const layout *l, double y)
         (void)snprintf(left_off, sizeof left_off, " The first %d of %d loads.", l->npanel,
                        r->segment.nload);
     }
-    (void)snprintf(text, sizeof text,
-                   "Linear elasticity, %lld unknowns; base %s; tip: %s. Displacements drawn %s. "
-                   "Dashed: undeformed%s.%s%s",
-                   r->segment.dofs, base[(unsigned)r->segment_base % 3],
-                   tip[(unsigned)r->segment_tip % 4], scale,
-                   s->borders ? "; white lines: borders between materials" : "", left_off,
-                   s->value == SURFACE_MISES
-                       ? " The scale ends at the largest stress between a tenth of the length from "
-                         "either end: where a clamped edge meets the surface there is no largest one."
-                       : "");
+    (void)snprintf(
+        text, sizeof text,
+        "Linear elasticity, %lld unknowns; base %s; tip: %s. Displacements drawn %s. "
+        "Dashed: undeformed%s.%s%s",
+        r->segment.dofs, base[(unsigned)r->segment_base % 3], tip[(unsigned)r->segment_tip % 4],
+        scale, s->borders ? "; white lines: borders between materials" : "", left_off,
+        s->value == SURFACE_MISES
+            ? " The scale ends at the largest stress between a tenth of the length from "
+              "either end: where a clamped edge meets the surface there is no largest one."
+            : "");
     y = say_paragraph(c, side, y, l->width - 2 * side, LOOK_SMALL, text);
     if (s->fig4) {
         fig4_note(r, text, sizeof text);
@@ -198,9 +199,10 @@ static status draw_scene(const run_result *r, surface_value value, const char *d
     const layout l = arrange(&scene);
     const picture p = {
         .name = value == SURFACE_MISES ? "segment_stress" : "segment",
-        .title = value == SURFACE_MISES
-                     ? "The deformed segment under each of its tip loads, coloured by von Mises stress"
-                     : "The deformed segment under each of its tip loads, coloured by displacement",
+        .title =
+            value == SURFACE_MISES
+                ? "The deformed segment under each of its tip loads, coloured by von Mises stress"
+                : "The deformed segment under each of its tip loads, coloured by displacement",
         .width = l.width,
         .height = l.height,
         .draw = draw,
@@ -217,8 +219,8 @@ status figure_segments(const run_result *r, const char *dir)
 {
     status st = OK;
     const segment_body *b = &r->segment.body;
-    bool moved = r->has_segment && r->segment.nload > 0 && b->nlevel > 0 &&
-                 b->last - b->first == b->nlevel;
+    bool moved =
+        r->has_segment && r->segment.nload > 0 && b->nlevel > 0 && b->last - b->first == b->nlevel;
     bool stressed = moved && b->apart.nnode > 0;
     for (int i = 0; moved && i < r->segment.nload; i++) {
         moved = r->segment.load[i].displacement != NULL;

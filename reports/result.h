@@ -193,6 +193,9 @@ status result_csv(const run_result *r, const char *dir);
 // section's mesh (part 0) and one deformed segment per load, with the point field displacement_m.
 // Reading recomputes nothing. Every count, index and choice of a file is checked: ERR_FILE where it
 // is damaged or not ours.
+//
+// Where ranks share the segment's levels out (segment.body.shared) all of them call the writing
+// one, the first with the path; without one of its own it gives NULL, and nobody writes.
 status result_store_write(const run_result *r, const char *path);
 status result_store_read(const char *path, run_result *out);
 

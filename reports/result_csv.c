@@ -162,31 +162,6 @@ static status write_shapes(const run_result *r, const char *dir)
     return st == OK ? csv_close(c) : st;
 }
 
-static status write_segment(const run_result *r, const char *dir)
-{
-    csv *c = NULL;
-    csv_header h = {0};
-    csv_add_all(&h,
-                "load point_x_m point_y_m force_x_N force_y_N force_z_N moment_x_Nm moment_y_Nm "
-                "moment_z_Nm shortening_m tip_displacement_x_m tip_displacement_y_m "
-                "tip_displacement_z_m tip_rotation_x_rad tip_rotation_y_rad tip_rotation_z_rad "
-                "mid_curvature_x_per_m mid_curvature_y_per_m strain_energy_J");
-    const status st = csv_table(dir, "segment.csv", &h, &c);
-    for (int i = 0; st == OK && i < r->segment.nload; i++) {
-        const segment_load_result *load = &r->segment.load[i];
-        csv_text(c, load->name ? load->name : "");
-        csv_reals(c, 2, load->point);
-        csv_reals(c, 3, load->force);
-        csv_reals(c, 3, load->moment);
-        csv_real(c, load->shortening);
-        csv_reals(c, 3, load->tip_displacement);
-        csv_reals(c, 3, load->tip_rotation);
-        csv_reals(c, 2, load->mid_curvature);
-        csv_real(c, load->strain_energy);
-    }
-    return st == OK ? csv_close(c) : st;
-}
-
 static status write_compare(const run_result *r, const char *dir)
 {
     csv *c = NULL;
@@ -216,7 +191,7 @@ status result_csv(const run_result *r, const char *dir)
     TRY(csv_stresses(r, dir));
     TRY(r->has_rod ? write_rods(r, dir) : OK);
     TRY(r->has_rod ? write_shapes(r, dir) : OK);
-    TRY(r->has_segment ? write_segment(r, dir) : OK);
+    TRY(r->has_segment ? csv_segment(r, dir) : OK);
     TRY(r->has_compare ? write_compare(r, dir) : OK);
     TRY(r->models.there ? csv_models(&r->models, dir) : OK);
 

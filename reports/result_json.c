@@ -6,8 +6,6 @@
 #include <math.h>
 
 static const char *const model_names[] = {"full", "classical"};
-static const char *const base_names[] = {"clamped", "free_to_contract"};
-static const char *const tip_names[] = {"rigid", "E_proportional", "uniform"};
 
 void json_begin(json *j, const char *key, const char *schema, const run_result *r)
 {
@@ -60,46 +58,6 @@ status result_json_section(json *j, const char *key, const run_result *r)
 
 done:
     return st;
-}
-
-static void write_load(json *j, const segment_load_result *load)
-{
-    json_object(j, NULL);
-    json_text(j, "name", load->name);
-    json_reals(j, "point_m", 2, load->point);
-    json_reals(j, "force_N", 3, load->force);
-    json_reals(j, "moment_Nm", 3, load->moment);
-    json_real(j, "shortening_m", load->shortening);
-    json_reals(j, "tip_displacement_m", 3, load->tip_displacement);
-    json_reals(j, "tip_rotation_rad", 3, load->tip_rotation);
-    json_reals(j, "mid_curvature_per_m", 2, load->mid_curvature);
-    json_real(j, "strain_energy_J", load->strain_energy);
-    json_object_end(j);
-}
-
-status result_json_segment(json *j, const char *key, const run_result *r)
-{
-    const segment_result *s = &r->segment;
-    json_begin(j, key, "stiffaxis/fem/1", r);
-    json_real(j, "length_m", r->segment_length);
-    json_real(j, "section_at_m", r->segment_section_at);
-    json_text(j, "base", base_names[r->segment_base]);
-    json_text(j, "tip", tip_names[r->segment_tip]);
-    json_integer(j, "dofs", s->dofs);
-    json_mat6(j, "K", s->middle.K);
-    json_real(j, "K_relative_error", s->middle.relative_error);
-    json_reals(j, "stiffness_centre_m", 2, s->stiffness_centre);
-    json_reals(j, "tip_centre_m", 2, s->tip_centre);
-    json_mat6(j, "tip_compliance", s->tip_compliance);
-    json_real(j, "relative_error", s->relative_error);
-    json_real(j, "residual", s->residual);
-    json_array(j, "loads");
-    for (int i = 0; i < s->nload; i++) {
-        write_load(j, &s->load[i]);
-    }
-    json_array_end(j);
-    json_object_end(j);
-    return OK;
 }
 
 static void write_row(json *j, const compare_row *row)

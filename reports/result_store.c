@@ -129,7 +129,10 @@ status result_store_write(const run_result *r, const char *path)
     status st = OK;
     store *s = NULL;
     run_result copy = *r; // one description serves both ways, so it takes what it could write to
-    TRY(store_create(path, &s));
+    TRY(r->segment.body.shared ? store_create_shared(path, &s) : store_create(path, &s));
+    if (!s) {
+        return OK; // the first rank has nowhere to write, and says so
+    }
     const passage p = {.store = s, .path = path};
     TRY(pass_all(&p, &copy));
     TRY(r->has_section ? store_write_known(s, path, &r->section.solved) : OK);

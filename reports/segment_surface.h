@@ -39,7 +39,7 @@ status segment_surface_make(const segment_body *body, const segment_load_result 
                             segment_surface *out);
 void segment_surface_free(segment_surface *s);
 
-// Largest value over the nodes; of stresses, which clamped edges concentrate without bound as meshes
-// get finer, between a tenth of the length from either end.
+// Largest value over the nodes; of stresses, which clamped edges concentrate without bound as
+// meshes get finer, between a tenth of the length from either end.
 double segment_largest(const segment_body *body, const segment_load_result *load,
                        surface_value value);

@@ -42,7 +42,9 @@ status store_pass_answers(const passage *p, run_result *r); // after the section
 status store_pass_strains(const passage *p, run_result *r); // after the rod
 status store_pass_rod(const passage *p, run_result *r);
 status store_pass_segment(const passage *p, run_result *r);
-status store_pass_models(const passage *p, run_result *r); // with the comparisons
+status store_pass_segment_body(const passage *p, run_result *r);
+status store_pass_segment_fields(const passage *p, int load, run_result *r); // of one load
+status store_pass_models(const passage *p, run_result *r);                   // with the comparisons
 
 // The solved sections' laws by fingerprint.
 status store_write_known(store *s, const char *path, const section_known *known);

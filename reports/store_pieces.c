@@ -10,16 +10,18 @@
 
 enum { DISPLACEMENT, STRAIN, STRESS, MISES, NFIELD };
 
+// of one piece, made here
 typedef struct piece_fields {
     store_field field[NFIELD];
-    double *own[NFIELD]; // made here; NULL: somebody else's
+    store_layers layers;
+    double *own[NFIELD], *xyz;
 } piece_fields;
 
 typedef struct pieces {
-    int n, nfield; // nfield 1: no wrench is asked for, displacements only
+    int n, nfield; // nfield 1: displacements only
     store_grid_piece *piece;
     piece_fields *fields;
-    double *zero, *nothing; // for the fields that a piece has not
+    double *zero; // displacement of what does not move
 } pieces;
 
 static void pieces_free(pieces *p)
@@ -28,11 +30,11 @@ static void pieces_free(pieces *p)
         for (int k = 0; k < NFIELD; k++) {
             free(p->fields[i].own[k]);
         }
+        free(p->fields[i].xyz);
     }
     free(p->piece);
     free(p->fields);
     free(p->zero);
-    free(p->nothing);
 }
 
 static const section_answers *with_fields(const run_result *r)
@@ -41,23 +43,22 @@ static const section_answers *with_fields(const run_result *r)
     return a && a->nodes.nnode > 0 ? a : NULL;
 }
 
+static bool has_stress(const run_result *r)
+{
+    const segment_body *b = &r->segment.body;
+    return r->has_segment && r->segment.nload > 0 && b->apart.nnode > 0;
+}
+
 static status pieces_make(const run_result *r, pieces *out)
 {
     status st = OK;
     const section_answers *a = with_fields(r);
     const int nwrench = a ? a->nload : 0, nsegment = r->has_segment ? r->segment.nload : 0;
     const int section = r->section_mesh.nnode, split = a ? a->nodes.nnode : 0;
-    int most = section > split ? section : split;
-    most = most > r->segment_mesh.nnode ? most : r->segment_mesh.nnode;
-    out->nfield = nwrench > 0 ? NFIELD : 1;
-    const size_t size = out->nfield > 1 ? 6 * (size_t)most : 0;
+    out->nfield = nwrench > 0 || has_stress(r) ? NFIELD : 1;
     TRY(TAKE(out->piece, (size_t)(1 + nwrench + nsegment)));
     TRY(TAKE(out->fields, (size_t)(1 + nwrench + nsegment)));
-    TRY(TAKE(out->zero, 3 * (size_t)most));
-    TRY(TAKE(out->nothing, size));
-    for (size_t i = 0; i < size; i++) {
-        out->nothing[i] = NAN;
-    }
+    TRY(TAKE(out->zero, 3 * (size_t)(section > split ? section : split)));
 
 done:
     return st;
@@ -69,9 +70,9 @@ static status add_piece(store *s, pieces *p, const mesh *m, const char *name)
     char part[64];
     piece_fields *f = &p->fields[p->n];
     f->field[DISPLACEMENT] = (store_field){"displacement_m", 3, p->zero};
-    f->field[STRAIN] = (store_field){"strain", 6, p->nothing};
-    f->field[STRESS] = (store_field){"stress_Pa", 6, p->nothing};
-    f->field[MISES] = (store_field){"von_mises_Pa", 1, p->nothing};
+    f->field[STRAIN] = (store_field){"strain", 6, NULL};
+    f->field[STRESS] = (store_field){"stress_Pa", 6, NULL};
+    f->field[MISES] = (store_field){"von_mises_Pa", 1, NULL};
     p->piece[p->n] = (store_grid_piece){.mesh = m, .nfield = p->nfield, .field = f->field};
     (void)snprintf(part, sizeof part, "part/%d", p->n);
     p->n++;
@@ -115,19 +116,104 @@ done:
     return st;
 }
 
+// --- segments
+
+// rows of plane nodes on the levels here -> rows of the nodes apart
+static status spread(const segment_body *b, const int *copy_of, int width, const double *from,
+                     double **to)
+{
+    status st = OK;
+    const size_t levels = (size_t)(b->last - b->first), w = (size_t)width;
+    const size_t nplane = (size_t)b->plane.nnode, napart = (size_t)b->apart.nnode;
+    TRY(TAKE(*to, levels * napart * w));
+    for (size_t level = 0; level < levels; level++) {
+        for (size_t i = 0; i < napart; i++) {
+            memcpy(*to + (level * napart + i) * w, from + (level * nplane + (size_t)copy_of[i]) * w,
+                   w * sizeof **to);
+        }
+    }
+
+done:
+    return st;
+}
+
+// nodes of the plane mesh that the nodes apart are copies of
+static status find_copies(const segment_body *b, int **out)
+{
+    status st = OK;
+    TRY(TAKE(*out, (size_t)b->apart.nnode));
+    for (int k = 0; k < b->apart.nblock; k++) {
+        const mesh_block *a = &b->apart.block[k], *o = &b->plane.block[k];
+        for (int i = 0; i < a->nelem * a->per_elem; i++) {
+            (*out)[a->conn[i]] = o->conn[i];
+        }
+    }
+
+done:
+    return st;
+}
+
+static status take_stress(const segment_body *b, const double *stress, piece_fields *f)
+{
+    status st = OK;
+    const int n = (b->last - b->first) * b->apart.nnode;
+    TRY(TAKE(f->own[STRESS], 6 * (size_t)n));
+    TRY(TAKE(f->own[MISES], (size_t)n));
+    in_vtk_order(n, (const double(*)[6])(const void *)stress, f->own[STRESS]);
+    for (int i = 0; i < n; i++) {
+        vec6 s;
+        memcpy(s.a, stress + 6 * (size_t)i, sizeof s.a);
+        f->own[MISES][i] = von_mises(&s);
+    }
+    f->field[STRESS].data = f->own[STRESS];
+    f->field[MISES].data = f->own[MISES];
+
+done:
+    return st;
+}
+
+static status add_segment(store *s, pieces *p, const segment_body *b,
+                          const segment_load_result *load)
+{
+    status st = OK;
+    int *copy_of = NULL;
+    const bool apart = load->stress != NULL;
+    TRY(add_piece(s, p, apart ? &b->apart : &b->plane, load->name ? load->name : ""));
+    piece_fields *f = &p->fields[p->n - 1];
+    f->layers = (store_layers){.order = b->order,
+                               .nlayer = b->nlayer,
+                               .matter = b->matter,
+                               .first = b->first,
+                               .last = b->last,
+                               .xyz = b->node};
+    f->field[DISPLACEMENT].data = load->displacement;
+    if (apart) {
+        TRY(find_copies(b, &copy_of));
+        TRY(spread(b, copy_of, 3, load->displacement, &f->own[DISPLACEMENT]));
+        TRY(spread(b, copy_of, 3, b->node, &f->xyz));
+        TRY(take_stress(b, load->stress, f));
+        f->field[DISPLACEMENT].data = f->own[DISPLACEMENT];
+        f->layers.xyz = f->xyz;
+    }
+    p->piece[p->n - 1].layers = &f->layers;
+    p->piece[p->n - 1].displacement = f->field[DISPLACEMENT].data;
+
+done:
+    free(copy_of);
+    return st;
+}
+
 static status add_all(store *s, const run_result *r, pieces *p)
 {
     status st = OK;
     const section_answers *a = with_fields(r);
+    const segment_body *b = &r->segment.body;
     if (r->has_section && r->section_mesh.nnode > 0) {
         TRY(add_piece(s, p, &r->section_mesh, "section"));
     }
-    for (int i = 0; r->has_segment && i < r->segment.nload; i++) {
-        const segment_load_result *load = &r->segment.load[i];
-        if (load->displacement) {
-            TRY(add_piece(s, p, &r->segment_mesh, load->name ? load->name : ""));
-            p->fields[p->n - 1].field[DISPLACEMENT].data = load->displacement;
-            p->piece[p->n - 1].displacement = load->displacement;
+    for (int i = 0; r->has_segment && b->nlevel > 0 && i < r->segment.nload; i++) {
+        if (r->segment.load[i].displacement) {
+            TRY(add_segment(s, p, b, &r->segment.load[i]));
         }
     }
     for (int i = 0; a && i < a->nload; i++) {

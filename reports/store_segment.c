@@ -1,9 +1,14 @@
 // reports/store_segment.c
+// What a 3D segment found: its numbers, loads and slices. Fields: reports/store_segment_fields.c
 #include "base/memory.h"
 #include "reports/store_parts.h"
 
 #include <stdio.h>
 #include <string.h>
+
+#define MOTION_UNIT "m, rad (along x y z, about x y z)"
+#define WRENCH_UNIT "N, N m (nx ny nz mx my mz)"
+#define STRAIN_UNIT "-, 1/m (along x y z, about x y z)"
 
 // integers up to here are doubles
 static const double MOST_DOFS = 9007199254740992.0;
@@ -25,20 +30,24 @@ done:
     return st;
 }
 
-static status pass_displacement(const passage *p, int i, int nnode, segment_load_result *load)
+static status pass_slices(const passage *p, int i, segment_load_result *load)
 {
-    static const column u = {"displacement_m", COLUMN_REAL, "m", 0, 1, {3}, 0};
+#define SLICE(member) offsetof(segment_slice, member)
+    static const column columns[] = {
+        {"s_m", COLUMN_REAL, "m", SLICE(s), 0, {0}, 0},
+        {"motion", COLUMN_REAL, MOTION_UNIT, SLICE(motion), 1, {6}, 0},
+        {"resultant", COLUMN_REAL, WRENCH_UNIT, SLICE(resultant), 1, {6}, 0},
+        {"load", COLUMN_REAL, WRENCH_UNIT, SLICE(load), 1, {6}, 0},
+        {"strain", COLUMN_REAL, STRAIN_UNIT, SLICE(strain), 1, {6}, 0},
+    };
+#undef SLICE
     status st = OK;
-    char group[64], flag[96];
-    int there = load->displacement != NULL;
-    (void)snprintf(group, sizeof group, "fem/load/%d", i);
-    (void)snprintf(flag, sizeof flag, "%s/has_displacement", group);
-    TRY(passage_count(p, flag, 0, 1, &there));
-    if (there) {
-        TRY(passage_room(p, (void **)&load->displacement, (size_t)nnode, 3 * sizeof(double)));
-        TRY(passage_columns(p, group, 1, &u,
-                            rows_of(load->displacement, nnode, 3 * sizeof(double))));
-    }
+    char group[64];
+    (void)snprintf(group, sizeof group, "fem/load/%d/slice", i);
+    TRY(passage_count(p, passage_join(group, "count").text, 0, MOST_POINTS, &load->nslice));
+    TRY(passage_room(p, (void **)&load->slice, (size_t)load->nslice, sizeof *load->slice));
+    TRY(passage_columns(p, group, COUNT_OF(columns), columns,
+                        rows_of(load->slice, load->nslice, sizeof *load->slice)));
 
 done:
     return st;
@@ -56,6 +65,12 @@ static status pass_loads(const passage *p, run_result *r)
         {"tip_rotation_rad", COLUMN_REAL, "rad", LOAD(tip_rotation), 1, {3}, 0},
         {"mid_curvature_per_m", COLUMN_REAL, "1/m", LOAD(mid_curvature), 1, {2}, 0},
         {"strain_energy_J", COLUMN_REAL, "J", LOAD(strain_energy), 0, {0}, 0},
+        {"shortening_error_m", COLUMN_ANY, "m", LOAD(shortening_error), 0, {0}, 0},
+        {"tip_displacement_error_m", COLUMN_ANY, "m", LOAD(tip_displacement_error), 0, {0}, 0},
+        {"tip_rotation_error_rad", COLUMN_ANY, "rad", LOAD(tip_rotation_error), 0, {0}, 0},
+        {"mid_curvature_error_per_m", COLUMN_ANY, "1/m", LOAD(mid_curvature_error), 0, {0}, 0},
+        {"strain_energy_error_J", COLUMN_ANY, "J", LOAD(strain_energy_error), 0, {0}, 0},
+        {"balance", COLUMN_ANY, "-", LOAD(balance), 0, {0}, 0},
     };
 #undef LOAD
     status st = OK;
@@ -69,55 +84,47 @@ static status pass_loads(const passage *p, run_result *r)
     TRY(passage_columns(p, "fem/load", COUNT_OF(columns), columns,
                         rows_of(s->load, n, sizeof *s->load)));
     for (int i = 0; i < n; i++) {
-        TRY(pass_displacement(p, i, r->segment_mesh.nnode, &s->load[i]));
+        TRY(pass_slices(p, i, &s->load[i]));
+        TRY(store_pass_segment_fields(p, i, r));
     }
 
 done:
     return st;
 }
 
-// the solid is the plane mesh level by level: the pictures rely on it
-static status check_extruded(const passage *p, const mesh *plane, const mesh *solid)
-{
-    if (plane->nnode == 0 || solid->nnode == 0) {
-        return plane->nnode == solid->nnode ? OK : passage_damaged(p, "fem", "has one mesh of two");
-    }
-    const int level = solid->nnode / plane->nnode, layers = (level - 1) / plane->order;
-    bool ok = solid->order == plane->order && solid->nblock == plane->nblock &&
-              solid->nnode == level * plane->nnode && level > 1 &&
-              level == layers * plane->order + 1;
-    for (int b = 0; ok && b < plane->nblock; b++) {
-        ok = (solid->block[b].shape == SHAPE_HEX) == (plane->block[b].shape == SHAPE_QUAD) &&
-             solid->block[b].nelem / layers == plane->block[b].nelem &&
-             solid->block[b].nelem % layers == 0;
-    }
-    return ok ? OK : passage_damaged(p, "fem/mesh", "is not its plane mesh extruded");
-}
-
-status store_pass_segment(const passage *p, run_result *r)
-{
 #define SEGMENT(member) offsetof(run_result, member)
+
+// which way, on which mesh, at what cost
+static status pass_effort(const passage *p, run_result *r)
+{
     static const column columns[] = {
-        {"length_m", COLUMN_POSITIVE, "m", SEGMENT(segment_length), 0, {0}, 0},
-        {"section_at_m", COLUMN_REAL, "m", SEGMENT(segment_section_at), 0, {0}, 0},
-        {"base", COLUMN_INT, "-", SEGMENT(segment_base), 0, {0}, BASE_FREE_TO_CONTRACT},
-        {"tip", COLUMN_INT, "-", SEGMENT(segment_tip), 0, {0}, TIP_UNIFORM},
-        {"K", COLUMN_REAL, STIFFNESS_UNIT, SEGMENT(segment.middle.K), 2, {6, 6}, 0},
-        {"area_m2", COLUMN_POSITIVE, "m^2", SEGMENT(segment.middle.area), 0, {0}, 0},
-        {"K_relative_error", COLUMN_ANY, "-", SEGMENT(segment.middle.relative_error), 0, {0}, 0},
-        {"stiffness_centre_m", COLUMN_REAL, "m", SEGMENT(segment.stiffness_centre), 1, {2}, 0},
-        {"tip_centre_m", COLUMN_ANY, "m", SEGMENT(segment.tip_centre), 1, {2}, 0},
-        {"tip_compliance",
+        {"way", COLUMN_INT, "-", SEGMENT(segment.way), 0, {0}, WAY_ITERATIVE},
+        {"rungs", COLUMN_INT, "-", SEGMENT(segment.rungs), 0, {0}, MOST_ROWS},
+        {"met", COLUMN_FLAG, "-", SEGMENT(segment.met), 0, {0}, 0},
+        {"order", COLUMN_INT, "-", SEGMENT(segment.order), 0, {0}, ELEMENT_MAX_ORDER},
+        {"layers", COLUMN_INT, "-", SEGMENT(segment.layers), 0, {0}, MOST_POINTS},
+        {"iterations", COLUMN_INT, "-", SEGMENT(segment.iterations), 0, {0}, MOST_POINTS},
+        {"mesh_order",
+         COLUMN_INT,
+         "-",
+         SEGMENT(segment.mesh_used.order),
+         0,
+         {0},
+         ELEMENT_MAX_ORDER},
+        {"mesh_size_m", COLUMN_REAL, "m", SEGMENT(segment.mesh_used.size), 0, {0}, 0},
+        {"edge_layers", COLUMN_INT, "-", SEGMENT(segment.mesh_used.edge_layers), 0, {0}, MOST_ROWS},
+        {"edge_first_over_radius",
          COLUMN_REAL,
-         COMPLIANCE_UNIT,
-         SEGMENT(segment.tip_compliance),
-         2,
-         {6, 6},
+         "-",
+         SEGMENT(segment.mesh_used.edge_first),
+         0,
+         {0},
          0},
-        {"relative_error", COLUMN_ANY, "-", SEGMENT(segment.relative_error), 0, {0}, 0},
+        {"assemble_s", COLUMN_ANY, "s", SEGMENT(segment.assemble_seconds), 0, {0}, 0},
+        {"factor_s", COLUMN_ANY, "s", SEGMENT(segment.factor_seconds), 0, {0}, 0},
+        {"solve_s", COLUMN_ANY, "s", SEGMENT(segment.solve_seconds), 0, {0}, 0},
         {"residual", COLUMN_ANY, "-", SEGMENT(segment.residual), 0, {0}, 0},
     };
-#undef SEGMENT
     static const column dofs = {"dofs", COLUMN_REAL, "-", 0, 0, {0}, 0};
     status st = OK;
     double count = (double)r->segment.dofs; // more than an int holds
@@ -126,12 +133,50 @@ status store_pass_segment(const passage *p, run_result *r)
         TRY(passage_damaged(p, "fem/dofs", "is out of range"));
     }
     r->segment.dofs = (long long)count;
+    TRY(passage_words(p, "fem/why", r->segment.why, sizeof r->segment.why));
     TRY(passage_columns(p, "fem", COUNT_OF(columns), columns, single(r)));
-    TRY(passage_mesh(p, "fem/plane", 2, r->nmaterial, &r->segment_plane));
-    TRY(passage_mesh(p, "fem/mesh", 3, r->nmaterial, &r->segment_mesh));
-    TRY(p->reading ? check_extruded(p, &r->segment_plane, &r->segment_mesh) : OK);
+
+done:
+    return st;
+}
+
+status store_pass_segment(const passage *p, run_result *r)
+{
+    static const column columns[] = {
+        {"length_m", COLUMN_POSITIVE, "m", SEGMENT(segment_length), 0, {0}, 0},
+        {"section_at_m", COLUMN_REAL, "m", SEGMENT(segment_section_at), 0, {0}, 0},
+        {"base", COLUMN_INT, "-", SEGMENT(segment_base), 0, {0}, BASE_FREE},
+        {"tip", COLUMN_INT, "-", SEGMENT(segment_tip), 0, {0}, TIP_FREE},
+        {"K", COLUMN_REAL, STIFFNESS_UNIT, SEGMENT(segment.middle.K), 2, {6, 6}, 0},
+        {"area_m2", COLUMN_POSITIVE, "m^2", SEGMENT(segment.middle.area), 0, {0}, 0},
+        {"K_relative_error", COLUMN_ANY, "-", SEGMENT(segment.middle.relative_error), 0, {0}, 0},
+        {"K_entry_error", COLUMN_ANY, "-", SEGMENT(segment.middle.entry_error), 2, {6, 6}, 0},
+        {"stiffness_centre_m", COLUMN_REAL, "m", SEGMENT(segment.stiffness_centre), 1, {2}, 0},
+        {"stiffness_centre_error_m",
+         COLUMN_ANY,
+         "m",
+         SEGMENT(segment.stiffness_centre_error),
+         0,
+         {0},
+         0},
+        {"tip_centre_m", COLUMN_ANY, "m", SEGMENT(segment.tip_centre), 1, {2}, 0},
+        {"end_length_m", COLUMN_ANY, "m", SEGMENT(segment.end_length), 1, {6}, 0},
+        {"tip_compliance",
+         COLUMN_REAL,
+         COMPLIANCE_UNIT,
+         SEGMENT(segment.tip_compliance),
+         2,
+         {6, 6},
+         0},
+        {"relative_error", COLUMN_ANY, "-", SEGMENT(segment.relative_error), 0, {0}, 0},
+    };
+    status st = OK;
+    TRY(passage_columns(p, "fem", COUNT_OF(columns), columns, single(r)));
+    TRY(pass_effort(p, r));
+    TRY(store_pass_segment_body(p, r));
     TRY(pass_loads(p, r));
 
 done:
     return st;
 }
+#undef SEGMENT

@@ -20,13 +20,13 @@ below() {
 # and what it reads itself in a sealed process
 foreign='yaml.h io/yaml_door.c
 muParserDLL.h io/expression.c
-hdf5.h io/hdf5_door_module.c
+hdf5.h io/hdf5_inside.h
 png.h meshes/png_door.c
 gmshc.h meshes/(gmsh|gmsh_sides|cad|cad_cut|cad_sizes|cad_curves)_door_module.c
 cholmod.h section/cholmod_door.c
 omp.h section/cholmod_door.c
 petsc fem/petsc_(inside\.h|[a-z_]*door_module\.c)
-mpi.h fem/petsc_[a-z_]*door_module.c
+mpi.h (fem/petsc_[a-z_]*|io/hdf5_share_)door_module.c
 cairo reports/cairo_door.c'
 
 bad=0

@@ -20,12 +20,21 @@ static inline void scratch_make(char dir[64])
 
 static inline void scratch_free(const char *dir)
 {
-    static const char *const files[] = {
-        "section.svg",  "section.png",  "segment.svg",   "segment.png",   "rods.svg",
-        "rods.png",     "report.html",  "curvature.svg", "curvature.png", "summary",
-        "stresses.svg", "stresses.png", "sections.csv",  "stresses.csv",  "kern.csv",
-        "result.hdf",   "rods.csv",     "shapes.csv",    "wrench.svg",    "wrench.png",
-        "tendons.svg",  "tendons.png",  "sweep.svg",     "sweep.png"};
+    static const char *const files[] = {"section.svg",        "section.png",
+                                        "segment.svg",        "segment.png",
+                                        "rods.svg",           "rods.png",
+                                        "report.html",        "curvature.svg",
+                                        "curvature.png",      "summary",
+                                        "stresses.svg",       "stresses.png",
+                                        "sections.csv",       "stresses.csv",
+                                        "kern.csv",           "result.hdf",
+                                        "rods.csv",           "shapes.csv",
+                                        "wrench.svg",         "wrench.png",
+                                        "tendons.svg",        "tendons.png",
+                                        "sweep.svg",          "sweep.png",
+                                        "segment_stress.svg", "segment_stress.png",
+                                        "segment_along.svg",  "segment_along.png",
+                                        "segment_mesh.svg",   "segment_mesh.png"};
     char path[256];
     for (size_t i = 0; i < sizeof files / sizeof *files; i++) {
         (void)snprintf(path, sizeof path, "%s/%s", dir, files[i]);

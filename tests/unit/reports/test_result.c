@@ -42,28 +42,36 @@ static char *copy_text(const char *text)
 }
 
 // a strip of two quads, and the same two layers high
-static void make_meshes(mesh *plane, mesh *solid)
+// two squares of two materials on three levels, their nodes apart where they meet
+static void make_body(segment_body *b)
 {
-    static const int quads[2][4] = {{0, 1, 3, 4}, {1, 2, 4, 5}};
-    CHECK_OK(mesh_make(1, 6, 1, (const shape[]){SHAPE_QUAD}, (const int[]){2}, plane));
-    CHECK_OK(mesh_make(1, 18, 1, (const shape[]){SHAPE_HEX}, (const int[]){4}, solid));
+    static const int quads[2][4] = {{0, 1, 3, 4}, {1, 2, 4, 5}},
+                     apart[2][4] = {{0, 1, 3, 4}, {6, 2, 7, 5}};
+    CHECK_OK(mesh_make(1, 6, 1, (const shape[]){SHAPE_QUAD}, (const int[]){2}, &b->plane));
+    CHECK_OK(mesh_make(1, 8, 1, (const shape[]){SHAPE_QUAD}, (const int[]){2}, &b->apart));
+    b->order = 1;
+    b->nlayer = 2;
+    b->last = b->nlevel = 3;
+    CHECK_OK(TAKE(b->level, 3));
+    CHECK_OK(TAKE(b->node, 3 * 18));
+    CHECK_OK(TAKE(b->matter, 4));
     for (int i = 0; i < 18; i++) {
         const double at[3] = {1e-3 * (i % 3), 1e-3 * (i / 3 % 2), 1e-3 * (i / 6)};
-        memcpy(&solid->xyz[3 * i], at, sizeof at);
+        memcpy(&b->node[3 * i], at, sizeof at);
+        b->level[i / 6] = at[2];
         if (i < 6) {
-            memcpy(&plane->xyz[3 * i], at, sizeof at);
+            memcpy(&b->plane.xyz[3 * i], at, sizeof at);
+            memcpy(&b->apart.xyz[3 * i], at, sizeof at);
         }
     }
-    for (int e = 0; e < 4; e++) {
-        for (int k = 0; k < 4; k++) {
-            const int node = quads[e % 2][k];
-            plane->block[0].conn[4 * (e % 2) + k] = node;
-            solid->block[0].conn[8 * e + k] = node + 6 * (e / 2);
-            solid->block[0].conn[8 * e + 4 + k] = node + 6 * (e / 2 + 1);
-        }
-        plane->block[0].material[e % 2] = e % 2;
-        solid->block[0].material[e] = e % 2;
+    memcpy(&b->apart.xyz[18], &b->plane.xyz[3], sizeof(double[3]));
+    memcpy(&b->apart.xyz[21], &b->plane.xyz[12], sizeof(double[3]));
+    for (int e = 0; e < 2; e++) {
+        memcpy(b->plane.block[0].conn + 4 * e, quads[e], sizeof quads[e]);
+        memcpy(b->apart.block[0].conn + 4 * e, apart[e], sizeof apart[e]);
+        b->plane.block[0].material[e] = b->apart.block[0].material[e] = e;
     }
+    memcpy(b->matter, (const int[]){0, 1, -1, 1}, sizeof(int[4]));
 }
 
 static beam_law some_law(counter *c)
@@ -203,8 +211,22 @@ static void make_segment(counter *c, run_result *r)
     r->segment_section_at = 0.06;
     r->segment_base = BASE_FREE_TO_CONTRACT;
     r->segment_tip = TIP_E_PROPORTIONAL;
-    make_meshes(&r->segment_plane, &r->segment_mesh);
-    s->dofs = 54;
+    make_body(&s->body);
+    s->way = WAY_DIRECT;
+    (void)snprintf(s->why, sizeof s->why, "asked for by the case");
+    s->rungs = 3;
+    s->met = true;
+    s->order = s->mesh_used.order = 1;
+    s->layers = 2;
+    s->mesh_used.size = 1e-3;
+    s->mesh_used.edge_layers = 4;
+    s->mesh_used.edge_first = 0.01;
+    s->iterations = 7;
+    s->stiffness_centre_error = 1e-7;
+    s->end_length[0] = NAN; // not known
+    fill(c, 5, s->end_length + 1);
+    fill(c, 3, &s->assemble_seconds);
+    s->dofs = 5400000000;
     s->middle = some_law(c);
     fill(c, 2, s->stiffness_centre);
     fill(c, 2, s->tip_centre);
@@ -226,6 +248,15 @@ static void make_segment(counter *c, run_result *r)
         fill(c, 1, &load->strain_energy);
         CHECK_OK(TAKE(load->displacement, 3 * 18));
         fill(c, 3 * 18, load->displacement);
+        CHECK_OK(TAKE(load->stress, 6 * 24));
+        fill(c, 6 * 24, load->stress);
+        fill(c, 5, &load->shortening_error);
+        load->balance = 1e-12;
+        load->nslice = 4;
+        CHECK_OK(TAKE(load->slice, 4));
+        for (int k = 0; k < 4; k++) {
+            fill(c, sizeof(segment_slice) / sizeof(double), &load->slice[k].s);
+        }
     }
 }
 
@@ -376,6 +407,20 @@ static void documents_have_the_keys_of_the_contract(void)
                                       "residual",
                                       "relative_error",
                                       "tip_compliance",
+                                      "way",
+                                      "why",
+                                      "rungs",
+                                      "tolerance_met",
+                                      "end_length_m",
+                                      "slices",
+                                      "motion",
+                                      "resultant",
+                                      "load",
+                                      "strain",
+                                      "balance",
+                                      "shortening_error_m",
+                                      "tip_rotation_error_rad",
+                                      "strain_energy_error_J",
                                       NULL};
     static const char *const compare[] = {"schema",
                                           "rows",
@@ -488,11 +533,20 @@ static void the_store_gives_back_all_of_a_run(const scratch *dir)
     CHECK(kept->modulus.along && !kept->modulus.across);
     CHECK(back.symmetry_turn == 0.3 && back.section.effort.meshed);
     CHECK(same_mesh(&back.section_mesh, &r.section_mesh));
-    CHECK(same_mesh(&back.segment_plane, &r.segment_plane));
-    CHECK(same_mesh(&back.segment_mesh, &r.segment_mesh));
+    const segment_body *kept_body = &back.segment.body, *body = &r.segment.body;
+    CHECK(same_mesh(&kept_body->plane, &body->plane) && same_mesh(&kept_body->apart, &body->apart));
+    CHECK(kept_body->order == 1 && kept_body->nlayer == 2 && kept_body->nlevel == 3);
+    CHECK(kept_body->first == 0 && kept_body->last == 3);
+    CHECK(memcmp(kept_body->level, body->level, sizeof(double[3])) == 0);
+    CHECK(memcmp(kept_body->node, body->node, sizeof(double[3 * 18])) == 0);
+    CHECK(memcmp(kept_body->matter, body->matter, sizeof(int[4])) == 0);
     for (int i = 0; i < 2; i++) {
         CHECK(memcmp(back.segment.load[i].displacement, r.segment.load[i].displacement,
                      sizeof(double[3 * 18])) == 0);
+        CHECK(memcmp(back.segment.load[i].stress, r.segment.load[i].stress,
+                     sizeof(double[6 * 24])) == 0);
+        CHECK(memcmp(back.segment.load[i].slice, r.segment.load[i].slice,
+                     sizeof(segment_slice[4])) == 0);
         CHECK(memcmp(back.rod.run[i].shape, r.rod.run[i].shape, 3 * sizeof(pose)) == 0);
     }
     CHECK(memcmp(back.rod.load_sketch, r.rod.load_sketch, sizeof *r.rod.load_sketch) == 0);
@@ -543,15 +597,25 @@ static void a_file_that_lies_is_refused(const scratch *dir)
 {
     const scratch_path path = scratch_file(dir, "lies.hdf");
     run_result r = make_run();
-    r.segment_mesh.block[0].conn[3] = 18;
+    int *conn = r.segment.body.plane.block[0].conn, *apart = r.segment.body.apart.block[0].conn;
+    conn[3] = 6;
     CHECK(write_broken(&r, path.text) == ERR_FILE);
-    r.segment_mesh.block[0].conn[3] = -1;
+    conn[3] = -1;
     CHECK(write_broken(&r, path.text) == ERR_FILE);
-    r.segment_mesh.block[0].conn[3] = 4;
+    conn[3] = 4;
+    apart[4] = 0; // a copy of two nodes
+    CHECK(write_broken(&r, path.text) == ERR_FILE);
+    apart[4] = 6;
+    r.segment.body.level[1] = 3e-3; // levels go up
+    CHECK(write_broken(&r, path.text) == ERR_FILE);
+    r.segment.body.level[1] = 1e-3;
+    r.segment.body.matter[2] = 2;
+    CHECK(write_broken(&r, path.text) == ERR_FILE);
+    r.segment.body.matter[2] = -1;
     r.section_mesh.block[0].material[0] = 2;
     CHECK(write_broken(&r, path.text) == ERR_FILE);
     r.section_mesh.block[0].material[0] = 0;
-    r.segment_tip = 3;
+    r.segment_tip = 4;
     CHECK(write_broken(&r, path.text) == ERR_FILE);
     r.segment_tip = TIP_RIGID;
     r.section_model = -1;
@@ -566,11 +630,6 @@ static void a_file_that_lies_is_refused(const scratch *dir)
     r.rod.run[1].s[2] = INFINITY;
     CHECK(write_broken(&r, path.text) == ERR_FILE);
     r.rod.run[1].s[2] = 0.12;
-    r.segment_plane.nnode = 5; // three levels of six are no levels of five
-    r.segment_plane.block[0].nelem = 1;
-    CHECK(write_broken(&r, path.text) == ERR_FILE);
-    r.segment_plane.nnode = 6;
-    r.segment_plane.block[0].nelem = 2;
 
     run_result back = {0};
     CHECK_OK(result_store_write(&r, path.text)); // all is well again
@@ -592,8 +651,10 @@ static void numbers_beyond_reason_are_refused(const scratch *dir)
         {&r.segment.load[1].displacement[0], -2e9, "fem/load/1/displacement_m"},
         {&r.segment.load[0].point[1], 1e308, "fem/load/point_m"},
         {&r.segment.stiffness_centre[0], 1e308, "fem/stiffness_centre_m"},
-        {&r.segment_mesh.xyz[4], 1e308, "fem/mesh/node_m"},
-        {&r.segment_plane.xyz[3], -1e308, "fem/plane/node_m"},
+        {&r.segment.body.node[4], 1e308, "fem/node_m"},
+        {&r.segment.body.plane.xyz[3], -1e308, "fem/plane/node_m"},
+        {&r.segment.load[0].stress[7], 1e160, "fem/load/0/stress_Pa"},
+        {&r.segment.load[1].slice[2].strain.a[4], 1e308, "fem/load/1/slice/strain"},
         {&r.segment_length, 1e308, "fem/length_m"},
         {&r.segment_length, 0, "fem/length_m"},
         {&r.section_mesh.xyz[3], 1e308, "section/mesh/node_m"},
@@ -704,6 +765,7 @@ static void tables_have_a_line_per_thing(const scratch *dir)
                 "solution_count,tension_1_t1_N,\"tension_2_\"\"=t2\"\"_N\",tip_x_m,");
     check_table(dir, "shapes.csv", 7, "solution_count,s_m,x_m,y_m,z_m,curvature_x_per_m,");
     check_table(dir, "segment.csv", 3, "load,point_x_m,point_y_m,force_x_N,");
+    check_table(dir, "segment_slices.csv", 9, "load_count,load,s_m,displacement_x_m,");
     check_table(dir, "compare.csv", 3, "what,unit,ours_in_unit,other_in_unit,difference_ratio,");
 
     size_t size = 0;

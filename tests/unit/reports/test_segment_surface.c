@@ -110,8 +110,8 @@ static void facets_cover_what_is_seen(void)
     const double elevation = 0.33;
     const camera eye = camera_from(0.7, elevation);
     CHECK_OK(make_segment(&r, -0.5));
-    CHECK_OK(plane_edges_make(&r.segment_plane, &e));
-    CHECK_OK(segment_surface_make(&r, &e, r.segment.load[1].displacement, 0, &eye, &s));
+    CHECK_OK(segment_surface_make(&r.segment.body, &r.segment.load[1], SURFACE_DISPLACEMENT, 0,
+                                  &eye, &s));
 
     double area = 0;
     for (int i = 0; i < s.count; i++) {
@@ -136,16 +136,16 @@ static void facets_move_and_carry_the_displacement(void)
     segment_surface rest = {0}, moved = {0};
     const camera eye = camera_from(0, 0.4);
     CHECK_OK(make_segment(&r, -0.5));
-    CHECK_OK(plane_edges_make(&r.segment_plane, &e));
-    double *u = r.segment.load[0].displacement;
-    for (int i = 0; i < r.segment_mesh.nnode; i++) {
+    const segment_load_result *load = &r.segment.load[0];
+    double *u = load->displacement;
+    for (int i = 0; i < r.segment.body.nlevel * r.segment.body.plane.nnode; i++) {
         u[3 * i] = 3e-3;
         u[3 * i + 1] = 0;
         u[3 * i + 2] = 4e-3;
     }
-    CHECK_NEAR(segment_largest_displacement(&r, u), 5e-3, 1e-14);
-    CHECK_OK(segment_surface_make(&r, &e, u, 0, &eye, &rest));
-    CHECK_OK(segment_surface_make(&r, &e, u, 2, &eye, &moved));
+    CHECK_NEAR(segment_largest(&r.segment.body, load, SURFACE_DISPLACEMENT), 5e-3, 1e-14);
+    CHECK_OK(segment_surface_make(&r.segment.body, load, SURFACE_DISPLACEMENT, 0, &eye, &rest));
+    CHECK_OK(segment_surface_make(&r.segment.body, load, SURFACE_DISPLACEMENT, 2, &eye, &moved));
     CHECK(rest.count == moved.count && rest.count > 0);
     double shift[2] = {0};
     for (int i = 0; i < rest.count; i++) {
