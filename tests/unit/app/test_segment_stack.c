@@ -1,61 +1,7 @@
 // tests/unit/app/test_segment_stack.c
 // Bodies of stacks of images: voxels, what they are made of, what hangs together.
-#include "tests/png_files.h"
 #include "tests/unit/app/made_body.h"
-
-enum { SIDE = 12, SLICES = 4 };
-
-// A square of 12 x 12 pixels with a stiff column in its corner that steps by a column per slice; in
-// `cut` only the left three columns are there; in `far` only the right three.
-typedef enum slice_kind { WHOLE, CUT, FAR } slice_kind;
-typedef struct slice_rule {
-    int index;
-    slice_kind kind;
-} slice_rule;
-
-static int draw(double x, double y, const void *context)
-{
-    const slice_rule *r = context;
-    if ((r->kind == CUT && x > -3) || (r->kind == FAR && x < 3)) {
-        return 0;
-    }
-    const int column = (int)(x + SIDE / 2.0), row = (int)(y + SIDE / 2.0);
-    return row < 2 && column >= r->index && column < r->index + 2 ? 2 : 1;
-}
-
-typedef struct stack {
-    char path[64], text[600];
-} stack;
-
-static stack write_stack(const slice_kind *kind)
-{
-    stack s = {.path = "/tmp/stiffaxis-stack-XXXXXX"};
-    CHECK(mkdtemp(s.path) != NULL);
-    for (int i = 0; i < SLICES; i++) {
-        char name[128];
-        const slice_rule rule = {i, kind[i]};
-        const png_bytes b = png_draw(SIDE, SIDE, draw, &rule);
-        (void)snprintf(name, sizeof name, "%s/s%02d.png", s.path, i);
-        CHECK(png_write(name, b));
-        free(b.at);
-    }
-    (void)snprintf(s.text, sizeof s.text,
-                   "  png:\n    file: %s/s%%02d.png\n    pitch_mm: [0.5, 0.5]\n    layer_mm: 2\n"
-                   "    parts: [{colour: '#ff0000', material: soft}, {colour: '#00ff00', material: "
-                   "stiff}]\n",
-                   s.path);
-    return s;
-}
-
-static void remove_stack(const stack *s)
-{
-    for (int i = 0; i < SLICES; i++) {
-        char name[128];
-        (void)snprintf(name, sizeof name, "%s/s%02d.png", s->path, i);
-        (void)unlink(name);
-    }
-    (void)rmdir(s->path);
-}
+#include "tests/unit/app/stack_files.h"
 
 static const slice_kind whole[SLICES] = {WHOLE, WHOLE, CUT, WHOLE};
 

@@ -3,6 +3,7 @@
 // forms and one another.
 #include "fem/way.h"
 #include "tests/unit/app/made_body.h"
+#include "tests/unit/app/stack_files.h"
 
 typedef struct solved {
     made m;
@@ -149,11 +150,47 @@ static void a_quarter_ring_bends_as_a_curved_bar(void)
     done_with(&s);
 }
 
+// squares of a stack of equal slices are the quads of the rectangles they show; what is cut out
+// only yields
+static void voxels_answer_as_what_they_show(void)
+{
+    const slice_kind whole[SLICES] = {PLAIN, PLAIN, PLAIN, PLAIN},
+                     cut[SLICES] = {PLAIN, CUT, CUT, PLAIN};
+    const stack s[2] = {write_stack(whole), write_stack(cut)};
+    const char shapes[] =
+        "  mesh: {kind: mapped}\n  shapes:\n    - {rectangle: {width_mm: 6, "
+        "height_mm: 6}, material: soft}\n    - {rectangle: {width_mm: 1, height_mm: "
+        "1, centre_x_mm: -2.5, centre_y_mm: -2.5}, material: stiff}\n";
+    const segment_mesh ask = {.order = 1, .size = 0.5e-3};
+    solved drawn, voxel, notched;
+    solve(shapes, "fem: {length_mm: 8, loads: []}\n", ask, 16, 1, &drawn);
+    solve(s[0].text, "fem: {length_mm: 8, layers: 16, loads: []}\n", ask, 1, 1, &voxel);
+    solve(s[1].text, "fem: {length_mm: 8, layers: 16, loads: []}\n", ask, 1, 1, &notched);
+    CHECK(voxel.m.body.nlayer == 16 && voxel.m.plane.nnode == drawn.m.plane.nnode);
+    const double apart = mat6_relative_error(voxel.C, drawn.C);
+    printf("voxels and the same shapes: %.1e apart; notched %.3g times as soft in stretch\n", apart,
+           notched.C.a[2][2] / voxel.C.a[2][2]);
+    CHECK(apart < 1e-10);
+    mat6 more = mat6_add(notched.C, mat6_scale(-1, voxel.C)), lower;
+    CHECK(mat6_cholesky(mat6_symmetric(more), &lower));
+    for (int i = 0; i < 36; i++) {
+        const mat6 C = notched.C;
+        CHECK_WITHIN(C.a[i / 6][i % 6], C.a[i % 6][i / 6],
+                     1e-10 * sqrt(C.a[i / 6][i / 6] * C.a[i % 6][i % 6]));
+    }
+    done_with(&drawn);
+    done_with(&voxel);
+    done_with(&notched);
+    remove_stack(&s[0]);
+    remove_stack(&s[1]);
+}
+
 int main(void)
 {
     the_helical_robot_agrees_with_an_independent_code();
     turning_by_shape_answers_as_turning_by_rate();
     a_tapered_tube_stretches_as_it_should();
     a_quarter_ring_bends_as_a_curved_bar();
+    voxels_answer_as_what_they_show();
     return test_failures != 0;
 }
