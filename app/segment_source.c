@@ -54,6 +54,9 @@ static status source_plane(void *self, const segment_mesh *ask, mesh *out)
     options.size = ask->size > 0 ? ask->size : options.size;
     options.edge_layers = ask->edge_layers;
     options.edge_first = ask->edge_first;
+    if (options.kind == MESH_AUTO && !d->course.one_grid) {
+        options.kind = MESH_FREE; // no grid of the base's cells holds the section farther on
+    }
     st = d->stack ? section_voxel_plane(section, d->from, d->to, &options, out)
                   : section_mesh_with(section, d->from, &options, out);
     TRY(case_place(d->c, st, section->at));
@@ -122,7 +125,7 @@ static status follow(const source_data *d, const mesh *plane, body_spec *spec)
     *b = (body_course){.source = d, .plane = plane};
     spec->shape = (body_shape){.self = b, .place = place};
     if (!d->stack) {
-        st = section_follow_make(section, d->c->materials, d->from, plane, &b->follow);
+        st = section_follow_make(section, d->c->materials, d->from, d->to, plane, &b->follow);
         TRY(case_place(d->c, st, section->at));
         spec->shape.frame = section_follow_turns_frames(b->follow) ? frame : NULL;
     }
@@ -210,7 +213,6 @@ static status follow_slices(source_data *d, double radius, segment_source *out)
     const section_case *section = &d->c->file.section;
     const int asked = d->c->file.fem.layers;
     const double longest = asked > 0 ? (d->to - d->from) / asked : LONGEST_VOXEL * radius;
-    d->course.constant = true;
     st = section_voxel_layers(section, d->from, d->to, longest, &d->nlayer, &d->layer);
     TRY(case_place(d->c, st, section->at));
     out->fixed_layers = true;
@@ -304,6 +306,7 @@ status segment_source_make(const case_data *c, segment_source *out)
     TRY(TAKE(d, 1));
     source.self = d;
     *d = (source_data){.c = c, .from = sc->section_at, .to = sc->section_at + sc->length};
+    d->course = (section_course){.constant = true, .one_grid = true};
     st = section_reach_at(&c->file.section, d->from, &source.radius);
     TRY(case_place(c, st, c->file.section.at));
     TRY(shift_materials(d, &source));

@@ -5,6 +5,10 @@
 #include <math.h>
 #include <string.h>
 
+// Triangles are the stiffer the smaller they are, by this power of their area: at 0 small ones turn
+// over first, at 1 large ones do.
+static const double STIFFENING = 0.25;
+
 void extension_free(extension *e)
 {
     free(e->triangle);
@@ -16,7 +20,7 @@ void extension_free(extension *e)
     *e = (extension){0};
 }
 
-// --- weights: half the cotangents of the angles, over the area
+// --- weights: half the cotangents of the angles
 
 static status weigh(extension *e, const double *xyz)
 {
@@ -35,9 +39,10 @@ static status weigh(extension *e, const double *xyz)
                 return status_fail(ERR_NUMERIC, "a mesh to follow the section with is inverted");
             }
             mean += pass == 0 ? area / e->ntriangle : 0;
+            const double stiff = pow(mean / area, STIFFENING);
             for (int k = 0; k < 3; k++) {
                 const double *u = side[(k + 1) % 3], *v = side[(k + 2) % 3];
-                e->weight[t][k] = -(u[0] * v[0] + u[1] * v[1]) / (4 * area) * (mean / area);
+                e->weight[t][k] = -(u[0] * v[0] + u[1] * v[1]) / (4 * area) * stiff;
             }
         }
     }

@@ -3,7 +3,7 @@
 #include "base/memory.h"
 #include "meshes/morph_kinds.h"
 
-#include <stdbool.h>
+#include <math.h>
 
 struct mesh_morph {
     int nnode;
@@ -44,12 +44,18 @@ done:
     return st;
 }
 
+bool mesh_morph_is_mapped(const mesh_morph *m)
+{
+    return m->curve == NULL;
+}
+
 status mesh_morph_nodes(const mesh_morph *m, const section_outline *o, double s, double turn,
-                        double *xyz)
+                        double *xyz, double *strain)
 {
     status st = OK;
-    bool same = true, upright = true;
-    TRY(m->curve ? curve_morph_nodes(m->curve, o, turn, xyz, &same, &upright)
+    bool same = true;
+    *strain = 0;
+    TRY(m->curve ? curve_morph_nodes(m->curve, o, turn, xyz, &same, strain)
                  : grid_morph_nodes(&m->grid, m->nnode, o, xyz, &same));
     if (!same) {
         TRY(status_fail(ERR_INPUT,
@@ -58,7 +64,7 @@ status mesh_morph_nodes(const mesh_morph *m, const section_outline *o, double s,
                         "later; or ask for `body: prism`",
                         1e3 * s, 1e3 * m->base));
     }
-    if (!upright) {
+    if (!isfinite(*strain)) {
         TRY(status_fail(ERR_INPUT,
                         "section: at s = %.6g mm its shapes have moved so far against each other "
                         "since s = %.6g mm that elements between them turn over: take a shorter "

@@ -174,17 +174,33 @@ static void place_marks(const curve_morph *m, const shape_curves *now, const cur
     }
 }
 
-static bool all_upright(const extension *e, const double *xyz)
+static double area_of(const int *n, const double *xyz)
 {
-    for (int t = 0; t < e->ntriangle; t++) {
-        const int *n = e->triangle[t];
-        const double *a = xyz + 3 * (size_t)n[0], *b = xyz + 3 * (size_t)n[1],
-                     *c = xyz + 3 * (size_t)n[2];
-        if (!((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]) > 0)) {
-            return false;
+    const double *a = xyz + 3 * (size_t)n[0], *b = xyz + 3 * (size_t)n[1],
+                 *c = xyz + 3 * (size_t)n[2];
+    return ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])) / 2;
+}
+
+// largest |ln| of a triangle's change of area over that of all of them
+static double strain_of(const curve_morph *m, const double *xyz)
+{
+    double all[2] = {0, 0}, strain = 0;
+    for (int pass = 0; pass < 2; pass++) {
+        for (int t = 0; t < m->inside.ntriangle; t++) {
+            const double was = area_of(m->inside.triangle[t], m->xyz);
+            const double is = area_of(m->inside.triangle[t], xyz);
+            if (!(is > 0)) {
+                return INFINITY;
+            }
+            if (pass == 0) {
+                all[0] += was;
+                all[1] += is;
+            } else {
+                strain = fmax(strain, fabs(log(is / was * (all[0] / all[1]))));
+            }
         }
     }
-    return true;
+    return strain;
 }
 
 // the affine part of the marks' motion for all nodes, what is left of it spread over the inside
@@ -218,7 +234,7 @@ done:
 }
 
 status curve_morph_nodes(const curve_morph *m, const section_outline *o, double turn, double *xyz,
-                         bool *same, bool *upright)
+                         bool *same, double *strain)
 {
     status st = OK;
     shape_curves now = {0};
@@ -233,7 +249,7 @@ status curve_morph_nodes(const curve_morph *m, const section_outline *o, double 
         TRY(TAKE(x, (size_t)m->nmark));
         place_marks(m, &now, &knots, x);
         TRY(fill_inside(m, (const double(*)[2])x, xyz));
-        *upright = all_upright(&m->inside, xyz);
+        *strain = strain_of(m, xyz);
     }
 
 done:

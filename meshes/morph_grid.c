@@ -74,6 +74,22 @@ static bool same_cells(const grid *a, const grid *b)
            memcmp(a->owner, b->owner, (size_t)a->n[0] * (size_t)a->n[1] * sizeof *a->owner) == 0;
 }
 
+status outlines_share_grid(const section_outline *a, const section_outline *b, bool *share)
+{
+    status st = OK;
+    grid p = {0}, q = {0};
+    TRY(grid_make(a, &p, share));
+    if (*share) {
+        TRY(grid_make(b, &q, share));
+    }
+    *share = *share && same_cells(&p, &q);
+
+done:
+    grid_free(&p);
+    grid_free(&q);
+    return st;
+}
+
 status grid_morph_nodes(const grid_morph *m, int nnode, const section_outline *o, double *xyz,
                         bool *same)
 {

@@ -32,7 +32,7 @@ typedef struct curve_morph curve_morph;
 
 status curve_morph_make(const section_outline *base, const mesh *plane, curve_morph **out);
 void curve_morph_free(curve_morph *m);
-// *same false where a curve or a corner of the base is missing; *upright false where a triangle of
-// the nodes is turned over.
+// *same false where a curve or a corner of the base is missing. *strain as in morph.h, INFINITY
+// where a triangle of the nodes is turned over.
 status curve_morph_nodes(const curve_morph *m, const section_outline *o, double turn, double *xyz,
-                         bool *same, bool *upright);
+                         bool *same, double *strain);

@@ -14,25 +14,36 @@ static const double SAME_SPIN = 1e-9;
 // a turn that differs by less from a constant rate's is one [rad]: rounding of the case's
 // arithmetic
 static const double SAME_TURN = 1e-9;
+// a mesh is moved from where its triangles' areas were up to this apart, |ln|
+static const double MOST_STRAIN = 0.3;
 // places along the rod that are looked at
 enum { SAMPLES = 129 };
+
+// A place from which on the mesh is moved; the next one begins where that would strain it much.
+typedef struct follow_station {
+    double s;
+    section_outline outline;
+    mesh_morph *morph;
+} follow_station;
+
+enum { STEPS = 64 };
 
 struct section_follow {
     const section_case *c;
     const mesh *plane;
-    double base, turn, scale; // there
-    section_outline outline;  // there, where outlines are known
-    mesh_morph *morph;        // NULL: the section only turns and scales as a whole
+    double turn, scale; // at the base
     bool turns_frames;
+    int nstation; // 0: the section only turns and scales as a whole
+    follow_station station[STEPS + 1];
 };
 
 void section_follow_free(section_follow *f)
 {
-    if (f) {
-        section_outline_free(&f->outline);
-        mesh_morph_free(f->morph);
-        free(f);
+    for (int i = 0; f && i < f->nstation; i++) {
+        section_outline_free(&f->station[i].outline);
+        mesh_morph_free(f->station[i].morph);
     }
+    free(f);
 }
 
 static bool any_directed(const section_case *c, const material *materials)
@@ -50,28 +61,87 @@ static bool only_moves_as_a_whole(const section_case *c)
     return c->drawing || !shapes_vary((shape_list){c->shapes.count, c->shapes.items});
 }
 
-status section_follow_make(const section_case *c, const material *materials, double base,
+static status add_station(section_follow *f, double s, const mesh *m)
+{
+    status st = OK;
+    bool drawn = false;
+    follow_station *k = &f->station[f->nstation++];
+    k->s = s;
+    TRY(section_outline_at(f->c, s, &k->outline, &drawn));
+    TRY(mesh_morph_make(&k->outline, s, m, &k->morph));
+
+done:
+    return st;
+}
+
+static status nodes_from(const section_follow *f, const follow_station *k, double s, double *xyz,
+                         double *strain)
+{
+    status st = OK;
+    section_outline o = {0};
+    bool drawn = false;
+    double turn = 0;
+    TRY(section_outline_at(f->c, s, &o, &drawn));
+    (void)section_outline_spin(&k->outline, &o, SAME_SPIN, &turn);
+    TRY(mesh_morph_nodes(k->morph, &o, s, turn, xyz, strain));
+
+done:
+    section_outline_free(&o);
+    return st;
+}
+
+// Steps along the rod, a station before each one that would strain the mesh too much. m: a copy of
+// the plane mesh to work with; its nodes are those of the step before.
+static status step_along(section_follow *f, double from, double to, mesh *m)
+{
+    status st = OK;
+    double *next = NULL, before = from;
+    TRY(TAKE(next, 3 * (size_t)m->nnode));
+    TRY(add_station(f, from, m));
+    for (int i = 1; i <= STEPS && !mesh_morph_is_mapped(f->station[0].morph); i++) {
+        const double s = i == STEPS ? to : from + (to - from) * i / STEPS;
+        const follow_station *k = &f->station[f->nstation - 1];
+        double strain = 0;
+        st = nodes_from(f, k, s, next, &strain);
+        if (k->s < before && (st == ERR_INPUT || strain > MOST_STRAIN)) {
+            status_clear(); // nearer by it may do
+            TRY(add_station(f, before, m));
+            st = nodes_from(f, k + 1, s, next, &strain);
+        }
+        TRY(st);
+        memcpy(m->xyz, next, 3 * (size_t)m->nnode * sizeof *next);
+        before = s;
+    }
+
+done:
+    free(next);
+    return st;
+}
+
+status section_follow_make(const section_case *c, const material *materials, double from, double to,
                            const mesh *plane, section_follow **out)
 {
     status st = OK;
     section_follow *f = NULL;
-    bool drawn = false;
+    mesh moving = {0};
     if (section_own_length(c) > 0) {
         TRY(status_fail(ERR_INPUT, "section: the mesh of one slice of a stack is not another's"));
     }
     TRY(TAKE(f, 1));
-    *f = (section_follow){.c = c, .plane = plane, .base = base};
-    f->turn = field_at(&c->turn, base);
-    f->scale = field_at(&c->scale, base);
+    f->c = c;
+    f->plane = plane;
+    f->turn = field_at(&c->turn, from);
+    f->scale = field_at(&c->scale, from);
     f->turns_frames = plane->nframe > 0 && section_varies(c) && any_directed(c, materials);
-    TRY(section_outline_at(c, base, &f->outline, &drawn));
     if (!only_moves_as_a_whole(c)) {
-        TRY(mesh_morph_make(&f->outline, base, plane, &f->morph));
+        TRY(mesh_copy(plane, &moving));
+        TRY(step_along(f, from, to, &moving));
     }
     *out = f;
     f = NULL;
 
 done:
+    mesh_free(&moving);
     section_follow_free(f);
     return st;
 }
@@ -96,14 +166,16 @@ status section_follow_nodes(const section_follow *f, double s, double *xyz)
     status st = OK;
     section_outline o = {0};
     bool drawn = false;
-    double turn = 0;
-    TRY(section_outline_at(f->c, s, &o, &drawn)); // it also checks turn and scale
-    if (f->morph) {
-        (void)section_outline_spin(&f->outline, &o, SAME_SPIN, &turn);
-        TRY(mesh_morph_nodes(f->morph, &o, s, turn, xyz));
-    } else {
-        move_as_a_whole(f, s, xyz);
+    double strain = 0;
+    int k = f->nstation - 1;
+    while (k > 0 && f->station[k].s > s) {
+        k--;
     }
+    if (f->nstation > 0) {
+        return nodes_from(f, &f->station[k], s, xyz, &strain);
+    }
+    TRY(section_outline_at(f->c, s, &o, &drawn)); // it checks turn and scale
+    move_as_a_whole(f, s, xyz);
 
 done:
     section_outline_free(&o);
@@ -178,13 +250,20 @@ done:
     return st;
 }
 
+// by the declared turns too: outlines show a turn up to whole ones only
 static status place_step(const section_place *a, const section_place *b, double *step)
 {
+    status st = OK;
+    const double turned = fabs(b->turn - a->turn);
     if (a->drawn) {
-        return outline_step(&a->outline, &b->outline, step);
+        TRY(outline_step(&a->outline, &b->outline, step));
+        *step = fmax(*step, turned);
+    } else {
+        *step = turned + fabs(b->scale / a->scale - 1);
     }
-    *step = fabs(b->turn - a->turn) + fabs(b->scale / a->scale - 1);
-    return OK;
+
+done:
+    return st;
 }
 
 // the samples' turns since the first; whether each section is the first one turned
@@ -198,6 +277,7 @@ static status sample(const section_case *c, const material *materials, double fr
     TRY(section_place_at(c, from, to, &first));
     TRY(section_place_at(c, from, to, &last));
     course->turns_only = !store.traits.along;
+    course->one_grid = first.drawn;
     for (int i = 1; i < SAMPLES; i++) {
         section_likeness like = {0};
         double step = 0;
@@ -205,9 +285,12 @@ static status sample(const section_case *c, const material *materials, double fr
         TRY(section_place_at(c, from + (to - from) * i / (SAMPLES - 1), to, &next));
         TRY(section_store_alike(&store, &first, &next, &like, &alike));
         course->turns_only = course->turns_only && alike && like.scale == 1 && !like.mirror;
-        turn[i] = turn[i - 1] + remainder(next.turn - last.turn, 2 * acos(-1));
+        turn[i] = next.turn - first.turn;
         TRY(place_step(&last, &next, &step));
         course->way += step;
+        if (course->one_grid) {
+            TRY(outlines_share_grid(&last.outline, &next.outline, &course->one_grid));
+        }
         section_place_free(&last);
         last = next;
         next = (section_place){0};
@@ -226,7 +309,7 @@ status section_course_between(const section_case *c, const material *materials, 
 {
     status st = OK;
     double turn[SAMPLES] = {0};
-    section_course course = {.constant = !section_varies(c)};
+    section_course course = {.constant = !section_varies(c), .one_grid = true};
     if (!course.constant) {
         TRY(sample(c, materials, from, to, &course, turn));
         course.turn_rate = turn[SAMPLES - 1] / (to - from);

@@ -7,9 +7,10 @@
 
 typedef struct section_follow section_follow;
 
-// plane: a mesh of the section at arclength `base`, by section_mesh_with. The case and its
-// materials must outlive the result. ERR_INPUT for stacks: their slices are voxels.
-status section_follow_make(const section_case *c, const material *materials, double base,
+// plane: a mesh of the section at arclength `from`, by section_mesh_with; it is followed up to
+// `to`. The case and its materials must outlive the result. ERR_INPUT for stacks: their slices are
+// voxels; and where the section cannot be followed.
+status section_follow_make(const section_case *c, const material *materials, double from, double to,
                            const mesh *plane, section_follow **out);
 void section_follow_free(section_follow *f); // NULL is nothing
 
@@ -25,6 +26,8 @@ bool section_follow_turns_frames(const section_follow *f);
 // How the section changes between two arclengths.
 typedef struct section_course {
     bool constant;
+    bool one_grid; // outlines lie on grids of the same cells everywhere
+
     bool turns_only;  // all of it turns at one constant rate: shapes, and directions of materials
                       // that have any
     double turn_rate; // then [rad/m]

@@ -190,6 +190,102 @@ static void a_hook_is_straight_then_round(void)
     unmake(&m);
 }
 
+// no grid holds it, and its parts move far against each other: step by step
+static void curves_are_followed_step_by_step(void)
+{
+    made m;
+    const char shapes[] =
+        "  shapes:\n    - {disc: {radius_mm: 4 - 0.01*s}, material: soft}\n    - {lumens: "
+        "{radius_mm: 0.5, count: 4, circle_radius_mm: 2.5 - 0.01*s, first_angle_rad: 100*s}}\n    "
+        "- "
+        "{ellipse: {semi_axis_x_mm: 1, semi_axis_y_mm: 0.6 + 0.005*s, angle_rad: 100*s}, material: "
+        "stiff}\n";
+    const segment_mesh ask = {.order = 3};
+    CHECK_OK(make(shapes, "fem: {length_mm: 60, loads: []}\n", ask, 48, &m));
+    CHECK(m.spec.shape.place && m.plane.block[0].shape == SHAPE_TRIANGLE);
+    const body_volume v = body_volumes(&m.body);
+    // int pi r^2, r from 4 to 3.4; four lumens; int pi a b, b from 0.6 to 0.9
+    const double disc = PI * 60e-9 / 3 * (16 + 4 * 3.4 + 3.4 * 3.4), lumens = 4 * PI * 0.25 * 60e-9;
+    const double ellipse = PI * 0.75 * 60e-9;
+    CHECK_NEAR(v.of[1], ellipse, 1e-5);
+    CHECK_NEAR(v.of[0] + v.of[1], disc - lumens, 1e-5);
+    CHECK(v.smallest > 0.2);
+    unmake(&m);
+}
+
+// on a grid at the base, and nowhere else
+static void a_strip_turns_within_a_square(void)
+{
+    made m;
+    const char shapes[] = "  shapes:\n    - {rectangle: {width_mm: 8, height_mm: 8}, material: "
+                          "soft}\n    - {rectangle: {width_mm: 5, height_mm: 1, angle_rad: 5*s}, "
+                          "material: stiff}\n";
+    const segment_mesh ask = {.order = 2};
+    CHECK_OK(make(shapes, "fem: {length_mm: 60, loads: []}\n", ask, 10, &m));
+    const body_volume v = body_volumes(&m.body);
+    CHECK_NEAR(v.of[1], 5 * 60e-9, 1e-6);
+    CHECK_NEAR(v.of[0], 59 * 60e-9, 1e-6);
+    unmake(&m);
+}
+
+static bool is_refused(const char *shapes, const char *rest, const char *words)
+{
+    made m;
+    const segment_mesh ask = {.order = 2};
+    const status st = make(shapes, rest, ask, 20, &m);
+    const bool said = strstr(status_message(), words) != NULL;
+    if (st != ERR_INPUT || !said) {
+        printf("%d: %s\n", st, status_message());
+    }
+    unmake(&m);
+    return st == ERR_INPUT && said;
+}
+
+static void what_cannot_be_followed_is_refused(void)
+{
+    const char fem[] = "fem: {length_mm: 60, loads: []}\n";
+    const char tube[] = "  shapes:\n    - {annulus: {outer_radius_mm: 4, inner_radius_mm: 3}, "
+                        "material: soft}\n";
+    // the lumen leaves the disc at s = 30 mm
+    CHECK(is_refused("  shapes:\n    - {disc: {radius_mm: 4}, material: soft}\n    - {disc: "
+                     "{radius_mm: 0.5, centre_x_mm: 2 + 0.05*s}, material: none}\n",
+                     fem, "take a shorter 3D body"));
+    // one sector goes round into the other
+    char two[500];
+    (void)snprintf(
+        two, sizeof two,
+        "%s    - {sector: {outer_radius_mm: 4, inner_radius_mm: 3, mid_angle_rad: 0, "
+        "width_rad: 1}, material: stiff}\n    - {sector: {outer_radius_mm: 4, "
+        "inner_radius_mm: 3, mid_angle_rad: 2 - 30*s, width_rad: 0.5}, material: stiff}\n",
+        tube);
+    CHECK(is_refused(two, fem, "its shapes meet or part"));
+    CHECK(is_refused(tube,
+                     "rod: {length_mm: 60, rest: {curvature_x_per_m: 400}}\n"
+                     "fem: {length_mm: 60, loads: []}\n",
+                     "folds over itself"));
+    char fast[400];
+    (void)snprintf(fast, sizeof fast,
+                   "%s    - {sector: {outer_radius_mm: 4, inner_radius_mm: 3, mid_angle_rad: "
+                   "1e9*s*s, width_rad: 1}, material: stiff}\n",
+                   tube);
+    CHECK(is_refused(fast, fem, "a mistake of unit"));
+}
+
+// many turns between two of the places that are looked at
+static void a_fast_turn_keeps_its_rate(void)
+{
+    made m;
+    const char shapes[] =
+        "  shapes:\n    - {annulus: {outer_radius_mm: 4, inner_radius_mm: 3}, "
+        "material: soft}\n    - {sector: {outer_radius_mm: 4, inner_radius_mm: 3, "
+        "mid_angle_rad: 2*pi*s/0.0015, width_rad: 1}, material: stiff}\n";
+    const segment_mesh ask = {.order = 1};
+    CHECK_OK(make(shapes, "fem: {length_mm: 120, loads: []}\n", ask, 300, &m));
+    CHECK_NEAR(m.spec.turn_rate, 2 * PI / 0.0015, 1e-9);
+    CHECK(m.source.sections_along == 16 * 80);
+    unmake(&m);
+}
+
 int main(void)
 {
     the_helical_robot_has_its_volumes();
@@ -199,5 +295,9 @@ int main(void)
     a_tapered_tube_has_its_volume();
     a_bent_rod_has_its_volume();
     a_hook_is_straight_then_round();
+    curves_are_followed_step_by_step();
+    a_strip_turns_within_a_square();
+    what_cannot_be_followed_is_refused();
+    a_fast_turn_keeps_its_rate();
     return test_failures != 0;
 }
