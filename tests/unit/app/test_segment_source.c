@@ -200,15 +200,15 @@ static void curves_are_followed_step_by_step(void)
         "- "
         "{ellipse: {semi_axis_x_mm: 1, semi_axis_y_mm: 0.6 + 0.005*s, angle_rad: 100*s}, material: "
         "stiff}\n";
-    const segment_mesh ask = {.order = 3};
-    CHECK_OK(make(shapes, "fem: {length_mm: 60, loads: []}\n", ask, 48, &m));
+    const segment_mesh ask = {.order = 2};
+    CHECK_OK(make(shapes, "fem: {length_mm: 60, loads: []}\n", ask, 40, &m));
     CHECK(m.spec.shape.place && m.plane.block[0].shape == SHAPE_TRIANGLE);
     const body_volume v = body_volumes(&m.body);
     // int pi r^2, r from 4 to 3.4; four lumens; int pi a b, b from 0.6 to 0.9
     const double disc = PI * 60e-9 / 3 * (16 + 4 * 3.4 + 3.4 * 3.4), lumens = 4 * PI * 0.25 * 60e-9;
     const double ellipse = PI * 0.75 * 60e-9;
-    CHECK_NEAR(v.of[1], ellipse, 1e-5);
-    CHECK_NEAR(v.of[0] + v.of[1], disc - lumens, 1e-5);
+    CHECK_NEAR(v.of[1], ellipse, 2e-4); // helices over 0.15 rad per layer of order 2
+    CHECK_NEAR(v.of[0] + v.of[1], disc - lumens, 2e-4);
     CHECK(v.smallest > 0.2);
     unmake(&m);
 }
