@@ -34,7 +34,9 @@ static inline void scratch_free(const char *dir)
                                         "sweep.svg",          "sweep.png",
                                         "segment_stress.svg", "segment_stress.png",
                                         "segment_along.svg",  "segment_along.png",
-                                        "segment_mesh.svg",   "segment_mesh.png"};
+                                        "segment_mesh.svg",   "segment_mesh.png",
+                                        "segment.csv",        "compare.csv",
+                                        "models.csv",         "segment_slices.csv"};
     char path[256];
     for (size_t i = 0; i < sizeof files / sizeof *files; i++) {
         (void)snprintf(path, sizeof path, "%s/%s", dir, files[i]);
