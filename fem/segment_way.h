@@ -6,9 +6,11 @@
 
 enum { SEGMENT_WHY_WORDS = 200 };
 
-// Shares the levels of the body, which is the problem's, out among the ranks where the way wants
-// it. *taken: segment_way; why: what the choice was made by, in words.
-status segment_way_solve(int asked, const segment_problem *p, const way_wants *wants, body *b,
-                         way_run *run, int *taken, char why[SEGMENT_WHY_WORDS]);
+// Before body_make, under mpirun: the levels that this rank must hold, where that is not all.
+void segment_share(body_spec *spec);
+
+// *taken: segment_way; why: what the choice was made by, in words.
+status segment_way_solve(int asked, const segment_problem *p, const way_wants *wants, way_run *run,
+                         int *taken, char why[SEGMENT_WHY_WORDS]);
 
 const char *segment_way_name(int way);
