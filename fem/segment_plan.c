@@ -59,7 +59,7 @@ segment_climb segment_climb_of(const segment_case *c, const segment_source *sour
     if (is_given(c)) {
         return (segment_climb){c->order == 1 ? GIVEN : LOWER, GIVEN};
     }
-    return (segment_climb){0, c->tolerance > 0 ? 5 : 1};
+    return (segment_climb){0, 1};
 }
 
 static status plan_rung(const segment_case *c, double radius, int rung, segment_plan *out)
