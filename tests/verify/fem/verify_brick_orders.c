@@ -4,7 +4,7 @@
 #include "tests/body_solve.h"
 #include "tests/grid_mesh.h"
 
-enum { MESHES = 3 };
+enum { MESHES = 2 };
 
 static const double amplitude[3] = {1, 0.7, -0.8}, phase[3] = {0.3, 1.1, -0.5};
 static const double wave[3][3] = {{1.3, 0.6, -0.9}, {-0.7, 1.1, 0.8}, {0.5, -0.8, 1.2}};
@@ -201,15 +201,15 @@ static void solve_one(const family *f, int order, int cells, double *l2, double 
 
 static void check_orders(const family *f, int order)
 {
-    static const int all[ELEMENT_MAX_ORDER][MESHES] = {{4, 6, 9}, {2, 3, 5}, {1, 2, 3}, {1, 2, 3}};
+    static const int all[ELEMENT_MAX_ORDER][MESHES] = {{6, 9}, {3, 5}, {2, 3}, {2, 3}};
     double h[MESHES], l2[MESHES], energy[MESHES];
     for (int k = 0; k < MESHES; k++) {
         h[k] = 1.0 / all[order - 1][k];
         solve_one(f, order, all[order - 1][k], &l2[k], &energy[k]);
     }
-    const double two = observed_order(2, h + 1, l2 + 1), one = observed_order(2, h + 1, energy + 1);
-    printf("%-28s p = %d: L2 %.2e %.2e %.2e order %.2f; energy %.2e %.2e %.2e order %.2f\n",
-           f->name, order, l2[0], l2[1], l2[2], two, energy[0], energy[1], energy[2], one);
+    const double two = observed_order(MESHES, h, l2), one = observed_order(MESHES, h, energy);
+    printf("%-28s p = %d: L2 %.2e %.2e order %.2f; energy %.2e %.2e order %.2f\n", f->name, order,
+           l2[0], l2[1], two, energy[0], energy[1], one);
     CHECK(two > order + 1 - 0.25);
     CHECK(one > order - 0.25);
 }
