@@ -24,7 +24,7 @@ status save_check(const command *cmd)
 {
     status st = OK;
     outdir *d = NULL;
-    if (!cmd->out) {
+    if (!cmd->out || !cmd->first_rank) {
         return OK;
     }
     interrupt_hold();
@@ -55,6 +55,24 @@ static status still_wanted(void)
     return interrupt_pending() ? status_fail(ERR_INTERRUPTED, "interrupted") : OK;
 }
 
+static status write_store(run_result *r, const char *path)
+{
+    status st = OK;
+    door_function loaded;
+    TRY(door_open("hdf5", "H5get_libversion", &loaded)); // so that its version is told too
+    versions_loaded(r->versions, sizeof r->versions);
+    TRY(result_store_write(r, path));
+
+done:
+    return st;
+}
+
+// what the other ranks of an mpirun write: their levels of a segment, into the first one's file
+static status join_store(run_result *r)
+{
+    return r->has_segment && r->segment.body.shared ? write_store(r, NULL) : OK;
+}
+
 static status write_contents(const outdir *d, const contents *what)
 {
     status st = OK;
@@ -62,10 +80,7 @@ static status write_contents(const outdir *d, const contents *what)
     TRY(outdir_path(d, "result.hdf", path, sizeof path));
     (void)snprintf(directory, sizeof directory, "%.*s", (int)(strrchr(path, '/') - path), path);
     if (what->result) {
-        door_function loaded;
-        TRY(door_open("hdf5", "H5get_libversion", &loaded)); // so that its version is told too
-        versions_loaded(what->result->versions, sizeof what->result->versions);
-        TRY(result_store_write(what->result, path));
+        TRY(write_store(what->result, path));
         TRY(still_wanted());
         TRY(write_text(d, "case.yaml", what->result->case_text, what->result->case_length));
     }
@@ -107,19 +122,25 @@ status save_result(const command *cmd, run_result *r)
     if (!cmd->out) {
         return OK;
     }
+    if (!cmd->first_rank) {
+        return join_store(r);
+    }
     command_progress(cmd, "writing");
     return save(cmd->out, cmd->force, &(contents){.result = r, .report = r});
 }
 
 status save_report(const command *cmd, const char *directory, const run_result *r)
 {
+    if (!cmd->first_rank) {
+        return OK;
+    }
     command_progress(cmd, "writing");
     return save(directory, cmd->force, &(contents){.report = r});
 }
 
 status save_text(const command *cmd, const char *name, const char *text, size_t length)
 {
-    if (!cmd->out) {
+    if (!cmd->out || !cmd->first_rank) {
         return OK;
     }
     return save(cmd->out, cmd->force, &(contents){.name = name, .text = text, .length = length});

@@ -90,9 +90,8 @@ static status answer_help(command *cmd)
 
 status command_run(command *cmd)
 {
-    // under mpirun one process speaks and writes
+    // under mpirun one process speaks
     if (!cmd->first_rank) {
-        cmd->out = NULL;
         if (!freopen("/dev/null", "w", stdout)) {
             return status_fail(ERR_RESOURCE, "cannot open /dev/null");
         }
