@@ -78,14 +78,34 @@ static double angle_of(const double *rotation)
            sqrt(rotation[0] * rotation[0] + rotation[1] * rotation[1] + rotation[2] * rotation[2]);
 }
 
+static void print_effort(const segment_result *fem)
+{
+    static const char *const ways[] = {"one mesh", "doubling", "direct", "iterative"};
+    printf("way: %s, %d mesh%s, %.3g s of processor time%s%s\n", ways[(unsigned)fem->way % 4],
+           fem->rungs, fem->rungs == 1 ? "" : "es",
+           fem->assemble_seconds + fem->factor_seconds + fem->solve_seconds,
+           fem->why[0] ? "; " : "", fem->why);
+    printf("estimated error of the tip compliance %.1e, of the middle's law %.1e; residual %.1e\n",
+           fem->relative_error, fem->middle.relative_error, fem->residual);
+}
+
+static void print_ends(const segment_result *fem)
+{
+    printf(
+        "length that both ends take, mm: shear %.4g %.4g, stretch %.4g, bending %.4g %.4g, twist "
+        "%.4g\n",
+        1e3 * fem->end_length[0], 1e3 * fem->end_length[1], 1e3 * fem->end_length[2],
+        1e3 * fem->end_length[3], 1e3 * fem->end_length[4], 1e3 * fem->end_length[5]);
+}
+
 void print_segment(const run_result *r)
 {
     static const char *const bases[] = {"clamped", "free to contract", "free"};
     static const char *const tips[] = {"rigid", "E-proportional", "uniform", "free"};
     const segment_result *fem = &r->segment;
-    printf("3D segment: %.4g mm, base %s, tip %s, %lld unknowns, estimated error %.1e\n",
-           1e3 * r->segment_length, bases[r->segment_base], tips[r->segment_tip], fem->dofs,
-           fem->relative_error);
+    printf("3D segment: %.4g mm, base %s, tip %s, %lld unknowns\n", 1e3 * r->segment_length,
+           bases[(unsigned)r->segment_base % 3], tips[(unsigned)r->segment_tip % 4], fem->dofs);
+    print_effort(fem);
     printf("centre found by FEM: x = %.4f mm, y = %.4f mm\n",
            print_shown(1e3 * fem->stiffness_centre[0], 1e-4),
            print_shown(1e3 * fem->stiffness_centre[1], 1e-4));
@@ -100,6 +120,7 @@ void print_segment(const run_result *r)
                angle_of(load->tip_rotation), load->mid_curvature[0], load->mid_curvature[1],
                1e3 * load->strain_energy);
     }
+    print_ends(fem);
     print_stiffness("stiffness of the middle, about the geometric centre [N, N mm, N mm^2]",
                     &fem->middle.K);
 }

@@ -67,7 +67,7 @@ double after_energy(const after *a, const double *factor);
 
 // One slice per height of the run: [nlevel] motion and resultant in the base's axes about the
 // section's origin, what the tip's wrench puts on it, and strains of the fitted motions in the
-// section's axes, (5.16).
+// body's frame, (5.16).
 typedef struct slice_arrays {
     vec6 *motion, *resultant, *load, *strain;
 } slice_arrays;

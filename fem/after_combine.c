@@ -59,12 +59,14 @@ status after_combine(const after *a, const tip_load *load, double *factor)
 
 // --- slices
 
-// strains of fitted motions: delta v = A^T (t' + r' x q), delta w = A^T q', (5.16)
-static vec6 strain_of(const section_pose *pose, vec3 along, vec6 motion, vec6 slope)
+// strains of fitted motions: delta v = A^T (t' + r' x q), delta w = A^T q', (5.16); the body's
+// frame does not turn with the pattern of a prism
+static vec6 strain_of(const after *a, const section_pose *pose, vec3 along, vec6 motion, vec6 slope)
 {
+    const bool own = a->problem->body->spec.shape.place;
     const vec3 q = vec6_angular(motion);
     const vec3 v = vec3_add(vec6_linear(slope), vec3_cross(along, q)), w = vec6_angular(slope);
-    return vec6_turned(mat3_transpose(pose->axes),
+    return vec6_turned(own ? mat3_transpose(pose->axes) : mat3_identity(),
                        (vec6){{v.a[0], v.a[1], v.a[2], w.a[0], w.a[1], w.a[2]}});
 }
 
@@ -131,7 +133,7 @@ status after_slices(const after *a, const double *factor, const slice_arrays *ou
     }
     TRY(line_slopes(&line, out->motion, slope));
     for (int i = 0; i < run->nlevel; i++) {
-        out->strain[i] = strain_of(&a->pose[i], vec6_linear(along[i]), out->motion[i], slope[i]);
+        out->strain[i] = strain_of(a, &a->pose[i], vec6_linear(along[i]), out->motion[i], slope[i]);
     }
 
 done:

@@ -152,7 +152,8 @@ typedef struct segment_slice {
     vec6 motion;    // E-weighted, about the section's origin, in the base's axes
     vec6 resultant; // of the stresses; what the load puts on it is `load`
     vec6 load;
-    vec6 strain; // generalized (v, w) of the fitted motions along the body, in the section's axes
+    vec6 strain; // generalized (v, w) of the fitted motions, in the body's frame: the base's axes,
+                 // or those of the course
 } segment_slice;
 
 // What the fields stand on: nodes of a plane mesh on the levels of a body. Without fields the plane

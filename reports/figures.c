@@ -7,6 +7,8 @@ status figures_all(const run_result *r, const char *dir)
     TRY(figure_section(r, dir));
     TRY(figure_stresses(r, dir));
     TRY(figure_segments(r, dir));
+    TRY(figure_segment_along(r, dir));
+    TRY(figure_segment_mesh(r, dir));
     TRY(figure_rods(r, dir));
     TRY(figure_sweep(r, dir));
     TRY(figure_curvature(r, dir));

@@ -10,7 +10,12 @@ status figure_section(const run_result *r,
 status figure_stresses(const run_result *r,
                        const char *dir); // stresses: strain and stress under the first wrenches
 status figure_segments(const run_result *r,
-                       const char *dir); // segment: deformed, side by side, with undeformed outline
+                       const char *dir); // segment, segment_stress: deformed, side by side, with
+                                         // undeformed outline, by displacement and by stress
+status figure_segment_along(const run_result *r,
+                            const char *dir); // segment_along: strains and balance along s
+status figure_segment_mesh(const run_result *r,
+                           const char *dir); // segment_mesh: of the section, and its layers
 status figure_rods(const run_result *r,
                    const char *dir); // rods: shapes, loads and tendons from three sides
 status figure_sweep(const run_result *r,
