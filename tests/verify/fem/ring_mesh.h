@@ -19,7 +19,8 @@ typedef struct ring {
     int soft, stiff;      // elements along the two arcs without ladders
     int radial;           // across the wall without ladders
     int order;
-    int steps;     // of each ladder: at walls, and as long in metres at interfaces
+    int steps;            // of each ladder at the walls
+    int arc_steps;        // of ladders as long in metres at interfaces
     double shrink; // from one step to the next, below 1
     double first;  // of the element that a ladder divides, over the wall; at interfaces too
 } ring;
@@ -70,8 +71,8 @@ static inline status ring_mesh(const ring *s, mesh *out)
     double radius[RING_MOST_BREAKS], angle[RING_MOST_BREAKS], node[ELEMENT_MAX_ORDER + 1];
     const int nr = ladder_breaks(s->inner, s->outer, s->radial, s->steps, s->shrink, edge, radius);
     const int stiff =
-        ladder_breaks(from, from + s->width, s->stiff, s->steps, s->shrink, arc, angle);
-    const int na = stiff + ladder_breaks(from + s->width, from + 2 * PI, s->soft, s->steps,
+        ladder_breaks(from, from + s->width, s->stiff, s->arc_steps, s->shrink, arc, angle);
+    const int na = stiff + ladder_breaks(from + s->width, from + 2 * PI, s->soft, s->arc_steps,
                                          s->shrink, arc, angle + stiff);
     const int around = na * p, across = nr * p + 1, nelem = na * nr;
     const shape quad = SHAPE_QUAD;
