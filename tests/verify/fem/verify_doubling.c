@@ -165,7 +165,7 @@ static void compliances_of_the_prototype_agree_entry_by_entry(void)
                                       : i / 6 < 3 || i % 6 < 3 ? 1
                                                                : 1e3;
         }
-        s.steps = 1;
+        s.steps = s.arc_steps = 1;
         s.shrink = 0.2;
         s.first = 0.25;
         s.soft = 8;
@@ -223,11 +223,113 @@ static void direct_solution_of_the_same_mesh_agrees(void)
     }
 }
 
+// fibres aslant: the slab's ends are exchanged by a mirror, by a half turn, by an inversion, and in
+// a bar of two materials by nothing
+static void slabs_of_fibres_agree_or_are_refused(void)
+{
+    const double angle[4][2] = {{0, 0}, {0.5, 0}, {0.5, 0.3}, {0.5, 0.3}};
+    mesh plane = {0};
+    CHECK_OK(bar_mesh(&plane));
+    for (int k = 0; k < 4; k++) {
+        material pair[2] = {{.name = "fibres",
+                             .E1 = 10e6,
+                             .E2 = 1e6,
+                             .E3 = 2e6,
+                             .G12 = 0.5e6,
+                             .G13 = 0.6e6,
+                             .G23 = 0.4e6,
+                             .nu12 = 0.3,
+                             .nu13 = 0.25,
+                             .nu23 = 0.2,
+                             .fibre_angle = angle[k][0],
+                             .plane_angle = angle[k][1]}};
+        const way_wants wants = {.middle = 4e-3, .middle_half = 1e-3};
+        body b = {0};
+        way_run run = {0}, other = {0};
+        CHECK_OK(material_bind(&pair[0]));
+        pair[1] = k < 3 ? pair[0] : (material){.name = "stiff", .E = 20e6, .nu = 0.3};
+        CHECK_OK(prism_body(&plane, pair, 2, 16, 8e-3, 0, &b));
+        const segment_problem problem = {.body = &b, .tip = TIP_E_PROPORTIONAL};
+        if (k == 3) {
+            CHECK(way_doubling(&problem, &wants, &run) == ERR_INPUT);
+            status_clear();
+        } else {
+            CHECK_OK(way_doubling(&problem, &wants, &run));
+            CHECK_OK(way_direct(&problem, &wants, &other));
+        }
+        if (run.motion && other.motion) {
+            const double c = mat6_relative_error(tip_compliance(&run), tip_compliance(&other));
+            printf("fibres %.1f, %.1f: against direct: compliance %.1e, energy %.1e\n", angle[k][0],
+                   angle[k][1], c, mat6_relative_error(run.energy, other.energy));
+            CHECK_WITHIN(c, 0, 1e-9);
+            CHECK_WITHIN(mat6_relative_error(run.energy, other.energy), 0, 1e-9);
+        }
+        way_run_free(&run);
+        way_run_free(&other);
+        body_free(&b);
+    }
+    mesh_free(&plane);
+}
+
+// uniform traction, resultant at the area's centroid, beside the six columns
+static void uniform_tips_agree_with_the_direct_way(void)
+{
+    const load_column extra[2] = {{.uniform_tip = true, .tip_force = {0, 0, 1}},
+                                  {.uniform_tip = true, .tip_force = {0.5, -1, 0.2}}};
+    ring s = fig4_ring(2);
+    prism p = {0};
+    way_run other = {0};
+    s.soft = 6;
+    prism_make(&s, SOFT_AND_STIFF, 2, 16, 20e-3, 50, BASE_FREE_TO_CONTRACT, TIP_UNIFORM, &p);
+    p.problem.nextra = 2;
+    p.problem.extra = extra;
+    CHECK_OK(way_doubling(&p.problem, &p.wants, &p.run));
+    CHECK_OK(way_direct(&p.problem, &p.wants, &other));
+    double apart = 0, of = 0;
+    for (int i = 0; i < 64 && p.run.work && other.work; i++) {
+        const double scale = sqrt(other.work[9 * (i / 8)] * other.work[9 * (i % 8)]);
+        apart = fmax(apart, fabs(p.run.work[i] - other.work[i]) / scale);
+        of = fmax(of, fabs(other.work[i]) / scale);
+    }
+    printf("uniform tips: work against direct %.1e of %.1f\n", apart, of);
+    CHECK_WITHIN(apart, 0, 1e-9);
+    CHECK(of > 0.5);
+    way_run_free(&other);
+    prism_free(&p);
+}
+
+static void what_it_cannot_take_is_refused(void)
+{
+    const face_spring spring = {.on = {.face = FACE_OUTSIDE}, .stiffness = {1, 1}};
+    const load_column heavy = {.body_force = {0, 0, 1}};
+    ring s = fig4_ring(1);
+    prism p = {0};
+    prism_make(&s, SOFT_AND_STIFF, 1, 4, 20e-3, 0, BASE_CLAMPED, TIP_RIGID, &p);
+    CHECK(way_cost_doubling(&p.problem, 1).possible);
+    p.problem.base = BASE_FREE;
+    CHECK(way_doubling(&p.problem, &p.wants, &p.run) == ERR_INPUT);
+    CHECK(!way_cost_doubling(&p.problem, 1).possible);
+    p.problem.base = BASE_CLAMPED;
+    p.problem.nspring = 1;
+    p.problem.spring = &spring;
+    CHECK(way_doubling(&p.problem, &p.wants, &p.run) == ERR_INPUT);
+    p.problem.nspring = 0;
+    p.problem.nextra = 1;
+    p.problem.extra = &heavy;
+    CHECK(way_doubling(&p.problem, &p.wants, &p.run) == ERR_INPUT);
+    CHECK(!way_cost_doubling(&p.problem, 1).possible);
+    status_clear();
+    prism_free(&p);
+}
+
 int main(void)
 {
     pull_is_exact_at_any_length_and_contrast();
     pull_and_bending_of_a_bar_are_exact_and_rounding_grows_slowly();
     compliances_of_the_prototype_agree_entry_by_entry();
     direct_solution_of_the_same_mesh_agrees();
+    slabs_of_fibres_agree_or_are_refused();
+    uniform_tips_agree_with_the_direct_way();
+    what_it_cannot_take_is_refused();
     return test_failures != 0;
 }

@@ -8,7 +8,7 @@
 static ring graded_ring(int order)
 {
     ring s = fig4_ring(order);
-    s.steps = 1;
+    s.steps = s.arc_steps = 1;
     s.shrink = 0.2;
     s.first = 0.25;
     s.soft = 8;
