@@ -19,8 +19,8 @@ typedef struct ring {
     int soft, stiff;      // elements along the two arcs without ladders
     int radial;           // across the wall without ladders
     int order;
-    int steps;            // of each ladder at the walls
-    int arc_steps;        // of ladders as long in metres at interfaces
+    int steps;     // of each ladder at the walls
+    int arc_steps; // of ladders as long in metres at interfaces
     double shrink; // from one step to the next, below 1
     double first;  // of the element that a ladder divides, over the wall; at interfaces too
 } ring;
