@@ -94,7 +94,7 @@ static double limit_of(const reference_ladder *l, double strength)
 
 int main(void)
 {
-    const reference_ladder ladder[2] = {{4, 8, 3, 0.2, 0.25}, {3, 12, 4, 0.25, 0.3}};
+    const reference_ladder ladder[2] = {{4, 8, 3, 0.2, 0.25}, {3, 12, 3, 0.25, 0.3}};
     const double strength = edge_strength(0.3);
     double limit[2];
     printf("strength of the clamped edge: %.6f\n", strength);
