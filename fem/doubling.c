@@ -6,6 +6,7 @@
 #include "base/memory.h"
 #include "fem/doubling_answer.h"
 #include "fem/doubling_plan.h"
+#include "fem/doubling_symmetry.h"
 
 #include <math.h>
 #include <string.h>
@@ -14,69 +15,6 @@
 static double cpu_seconds(void)
 {
     return (double)clock() / CLOCKS_PER_SEC;
-}
-
-// --- which symmetries the slab has
-
-// Exchanges the slab's ends: mirrored on its middle, or turned by pi about an axis in it, or both
-static status find_reversal(const slab *s, const plane_symmetry *on, involution *out)
-{
-    status st = OK;
-    const involution all[4] = {{NULL, {1, 1, -1}},
-                               {on->partner[MIRROR_A], {1, -1, -1}},
-                               {on->partner[MIRROR_B], {-1, 1, -1}},
-                               {on->partner[HALF_TURN], {-1, -1, -1}}};
-    for (int k = 0; k < 4; k++) {
-        bool has = false;
-        if (k == 0 || all[k].image) {
-            TRY(slab_has(s, &all[k], true, &has));
-        }
-        if (has) {
-            *out = all[k];
-            return OK;
-        }
-    }
-    TRY(doubling_refuse("its two ends are different"));
-
-done:
-    return st;
-}
-
-static status find_plain(const slab *s, const plane_symmetry *on, int *count, involution *out)
-{
-    status st = OK;
-    const double sign[PLANE_SYMMETRIES][3] = {{1, -1, 1}, {-1, 1, 1}, {-1, -1, 1}};
-    for (int k = 0; k < PLANE_SYMMETRIES && *count < 2; k++) {
-        const involution g = {on->partner[k], {sign[k][0], sign[k][1], sign[k][2]}};
-        bool has = false;
-        // with one mirror line a half turn would bring the other
-        if (g.image && !(k == HALF_TURN && *count > 0)) {
-            TRY(slab_has(s, &g, false, &has));
-        }
-        if (has) {
-            out[(*count)++] = g;
-        }
-    }
-
-done:
-    return st;
-}
-
-static status make_slab(const segment_problem *p, const body *thin, doubling *d)
-{
-    status st = OK;
-    plane_symmetry on = {0};
-    involution reversal = {0}, plain[2];
-    int nplain = 0;
-    TRY(plane_symmetry_find(p->body->plane, d->turn_rate != 0, &on));
-    TRY(slab_make(thin, on.angle, &d->slab));
-    TRY(find_reversal(&d->slab, &on, &reversal));
-    TRY(find_plain(&d->slab, &on, &nplain, plain));
-    TRY(cut_make(p->body->plane, &on, &reversal, nplain, plain, &d->cut));
-
-done:
-    plane_symmetry_free(&on);
-    return st;
 }
 
 // --- what loads it
@@ -174,13 +112,8 @@ static status make(const segment_problem *p, doubling *d)
 {
     status st = OK;
     body thin = {0};
-    const double layer[2] = {0, ldexp(p->body->length, -d->doublings)};
-    body_spec spec = p->body->spec;
-    spec.nlayer = 1;
-    spec.layer = layer;
-    spec.hold_first = spec.hold_last = 0;
-    TRY(body_make(&spec, &thin));
-    TRY(make_slab(p, &thin, d));
+    TRY(doubling_thin_body(p->body, d->doublings, &thin));
+    TRY(doubling_slab_make(&thin, &d->slab, &d->cut));
     TRY(make_loads(p, &thin, d));
 
 done:

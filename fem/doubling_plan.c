@@ -1,7 +1,8 @@
 // fem/doubling_plan.c
 #include "fem/doubling_plan.h"
 
-#include "fem/plane_symmetry.h"
+#include "base/memory.h"
+#include "fem/doubling_symmetry.h"
 
 #include <math.h>
 
@@ -70,26 +71,77 @@ static const double JOIN_FLOPS = 1.67, ENDS_FLOPS = 0.34;
 // by order along z, 1..4
 static const double CONDENSE_FLOPS[5] = {0, 0, 1.67, 4.67, 10};
 // OpenBLAS on one core: flops per second of large matrices, and the size at which half of them is
-// reached; seconds of one element's stiffness per square of its unknowns. bench/bench_ways.c
+// reached; seconds of one element's stiffness per square of its unknowns. bench/bench_doubling.c
 // measures them
 static const double RATE = 42e9, HALF_RATE = 320, ELEMENT_SECONDS = 2.6e-8;
 
-// unknowns of the largest part of a cut, as far as the nodes tell
-static status count_parts(const body *b, int *parts)
+// Every reversal of an isotropic prism is known beforehand; of other slabs the elements must say
+static bool is_plain(const body *b)
+{
+    bool plain = b->spec.turn_rate == 0;
+    for (int i = 0; i < b->plane->nblock; i++) {
+        for (int e = 0; e < b->plane->block[i].nelem; e++) {
+            const material *m = b->spec.materials + b->plane->block[i].material[e];
+            plain = plain && m->kind == MATERIAL_ISOTROPIC;
+        }
+    }
+    return plain;
+}
+
+// Whether the elements about every node are of the same materials as those about its image
+static bool keeps_materials(const mesh *plane, const int *image, const double *about)
+{
+    for (int i = 0; image && i < plane->nnode; i++) {
+        if (about[i] != about[image[i]]) {
+            return false;
+        }
+    }
+    return image != NULL;
+}
+
+static status count_plain_parts(const mesh *plane, int *parts)
 {
     status st = OK;
     plane_symmetry on = {0};
-    const bool turns = b->spec.turn_rate != 0;
-    TRY(plane_symmetry_find(b->plane, turns, &on));
-    const bool mirrors = !turns && (on.partner[MIRROR_A] || on.partner[MIRROR_B]);
-    const bool both = !turns && on.partner[MIRROR_A] && on.partner[MIRROR_B];
-    *parts = both ? 4 : mirrors || on.partner[HALF_TURN] ? 2 : 1;
-    if (turns && !on.partner[MIRROR_A] && !on.partner[HALF_TURN]) {
-        *parts = 0; // nothing exchanges a slab's ends
+    double *about = NULL;
+    TRY(plane_symmetry_find(plane, false, &on));
+    TRY(TAKE(about, (size_t)plane->nnode));
+    for (int b = 0; b < plane->nblock; b++) {
+        const mesh_block *k = &plane->block[b];
+        for (int i = 0; i < k->nelem * k->per_elem; i++) {
+            about[k->conn[i]] += 1 + 37.0 * k->material[i / k->per_elem];
+        }
+    }
+    const bool a = keeps_materials(plane, on.partner[MIRROR_A], about);
+    const bool b = keeps_materials(plane, on.partner[MIRROR_B], about);
+    *parts = a && b ? 4 : a || b || keeps_materials(plane, on.partner[HALF_TURN], about) ? 2 : 1;
+
+done:
+    free(about);
+    plane_symmetry_free(&on);
+    return st;
+}
+
+// how many parts a cut has: of a plain prism by nodes and materials alone; ERR_INPUT where nothing
+// exchanges the slab's ends
+static status count_parts(const body *b, int doublings, int *parts)
+{
+    status st = OK;
+    body thin = {0};
+    slab s = {0};
+    cut c = {0};
+    if (is_plain(b)) {
+        TRY(count_plain_parts(b->plane, parts));
+    } else {
+        TRY(doubling_thin_body(b, doublings, &thin));
+        TRY(doubling_slab_make(&thin, &s, &c));
+        *parts = c.npart;
     }
 
 done:
-    plane_symmetry_free(&on);
+    body_free(&thin);
+    slab_free(&s);
+    cut_free(&c);
     return st;
 }
 
@@ -97,13 +149,13 @@ way_cost way_cost_doubling(const segment_problem *p, int nrank)
 {
     way_cost cost = {0};
     const body *b = p->body;
-    const int k = doubling_count(b);
     int parts = 0;
     (void)nrank; // every rank does all of it
-    if (doubling_check(p) != OK || count_parts(b, &parts) != OK || parts == 0) {
+    if (doubling_check(p) != OK || count_parts(b, doubling_count(b), &parts) != OK) {
         status_clear();
         return cost;
     }
+    const int k = doubling_count(b);
     const double n = 3.0 * b->plane->nnode / parts;
     const double flops = n * n * n * (CONDENSE_FLOPS[b->order] + JOIN_FLOPS * k + ENDS_FLOPS);
     for (int i = 0; i < b->plane->nblock; i++) {
