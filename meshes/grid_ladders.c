@@ -110,6 +110,26 @@ static double thinnest_free(const section_outline *o, const grid *g, const doubl
     return thinnest;
 }
 
+// length of the shorter of the intervals with material on either side of a break
+static double room_beside(const grid *g, int d, int i)
+{
+    const int n = g->n[d];
+    const bool closes = g->polar && d == 1;
+    const int beside[2] = {closes ? (i + n - 1) % n : i - 1, closes ? i % n : i};
+    double room = INFINITY;
+    for (int k = 0; k < 2; k++) {
+        const int c = beside[k];
+        if (c >= 0 && c < n && row_is_used(g, d, c)) {
+            room = fmin(room, g->at[d][c + 1] - g->at[d][c]);
+        }
+    }
+    return room;
+}
+
+// Interfaces get one layer at least: it costs little, since there are few, and shear and torsion
+// jump there all along the body. Its part of the narrower side, below the third that layers take.
+static const double INTERFACE_PART = 0.3;
+
 // finest: [n + 1] for either direction, in units of the grid's coordinates; 0 at breaks that no
 // edge lies on
 static void find_edges(const section_outline *o, const grid *g, const mesh_options *options,
@@ -119,8 +139,10 @@ static void find_edges(const section_outline *o, const grid *g, const mesh_optio
     for (int d = 0; d < 2; d++) {
         for (int i = 0; i <= g->n[d]; i++) {
             const edge_kind kind = break_kind(o, g, d, i);
-            const double length = kind == EDGE_INTERFACE ? SIZING_INTERFACE * first : first;
-            finest[d][i] = kind == EDGE_NONE ? 0 : length / unit[d];
+            const double most = INTERFACE_PART * room_beside(g, d, i);
+            finest[d][i] = kind == EDGE_FREE        ? first / unit[d]
+                           : kind == EDGE_INTERFACE ? fmin(SIZING_INTERFACE * first / unit[d], most)
+                                                    : 0;
         }
     }
 }

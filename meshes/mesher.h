@@ -25,8 +25,9 @@ typedef struct mesh_options {
     // Layers of elements that shrink by SIZING_GROWTH towards all free edges and interfaces, where
     // a clamped end's singular lines are. All free edges begin with the same length, interfaces
     // with SIZING_INTERFACE of it: thick parts take more layers, and parts thinner than three times
-    // that length none. Elements elsewhere become as large as smooth fields and arcs allow. 0: no
-    // such layers, and small elements towards corners instead. Images do without.
+    // that length none, but for one at the interfaces of grids. Elements elsewhere become as large
+    // as smooth fields and arcs allow. 0: no such layers, and small elements towards corners
+    // instead. Images do without.
     int edge_layers;
     double edge_first; // that length over the section's radius, whatever the number of layers comes
                        // to; 1 asks for the largest elements there are. 0: such that the thinnest

@@ -1,0 +1,153 @@
+// fem/rungs.c
+#include "fem/rungs.h"
+
+#include "base/memory.h"
+#include "fem/corner_strength.h"
+
+#include <math.h>
+#include <stdbool.h>
+#include <stdlib.h>
+
+// Orders rise before elements shrink: what one more layer on both sides of every wall costs is
+// worth it only once the elements between are good. Two rungs without layers, two with one on walls
+// of a fifth of the radius, then one more layer each.
+static const segment_rung rungs[RUNG_COUNT] = {
+    {.plane_order = 2, .edge_first = 1, .order = 3, .end_first = 0.1},
+    {.plane_order = 4, .edge_first = 0.2, .order = 4, .end_first = 0.1},
+    {.plane_order = 3, .edge_first = 0.02, .order = 4, .end_first = 0.05},
+    {.plane_order = 4, .edge_first = 0.02, .order = 4, .end_first = 0.02},
+    {.plane_order = 4, .edge_first = 0.004, .order = 4, .end_first = 0.005},
+    {.plane_order = 4, .edge_first = 0.0008, .order = 4, .end_first = 0.001},
+};
+
+segment_rung segment_rung_of(int rung)
+{
+    return rungs[rung];
+}
+
+// --- layers along s
+
+// by what layers grow, up to the radius: with the singular field; then as slowly as end effects
+// fade
+static const double GROWTH = 5, SLOW = 2;
+
+// a tip under tractions is less singular than one that is held: its layers are so much thicker
+static const double SOFT_END = 5;
+
+// whatever the length and its changes
+enum { MOST_LAYERS = 4096 };
+
+typedef struct march {
+    double step, radius, longest;
+} march;
+
+static double next_step(const march *m)
+{
+    const double grown = m->step * GROWTH;
+    return fmin(m->longest, grown <= m->radius ? grown : fmax(m->step, m->radius / SLOW) * SLOW);
+}
+
+static bool is_held(int base, int tip, bool at_tip)
+{
+    return at_tip ? tip == TIP_RIGID : base == BASE_CLAMPED;
+}
+
+static march march_from(const segment_rung *r, const rung_body *b, bool at_tip)
+{
+    const double soft = is_held(b->base, b->tip, at_tip) ? 1 : SOFT_END;
+    const double longest = b->sections_along > 0 ? b->length / b->sections_along : b->length;
+    return (march){fmin(soft * r->end_first * b->radius, longest), b->radius, longest};
+}
+
+// the middle in equal parts, none longer than the next layer from either end
+static int middle_parts(double gap, const march *up, const march *down)
+{
+    return (int)fmax(1, ceil(gap / fmin(up->step, down->step) - 1e-9));
+}
+
+// layers from both ends while the middle keeps room for as many again; at [MOST_LAYERS + 1] is
+// filled from both sides. nlow, nhigh: how many
+static void march_inwards(const rung_body *b, march *up, march *down, double *at, int *nlow,
+                          int *nhigh)
+{
+    double *low = at, *high = at + MOST_LAYERS;
+    *low = 0;
+    *high = b->length;
+    while (*high - *low > 2 * (up->step + down->step) && high - low > 4) {
+        const bool rise = up->step <= down->step, fall = down->step <= up->step;
+        if (rise) {
+            low[1] = *low + up->step;
+            low++;
+            up->step = next_step(up);
+        }
+        if (fall) {
+            high[-1] = *high - down->step;
+            high--;
+            down->step = next_step(down);
+        }
+    }
+    *nlow = (int)(low - at);
+    *nhigh = (int)(at + MOST_LAYERS - high);
+}
+
+status segment_rung_layers(const segment_rung *r, const rung_body *b, int *nlayer, double **layer)
+{
+    status st = OK;
+    double *at = NULL, *all = NULL;
+    march up = march_from(r, b, false), down = march_from(r, b, true);
+    int nlow = 0, nhigh = 0;
+    TRY(TAKE(at, MOST_LAYERS + 1));
+    march_inwards(b, &up, &down, at, &nlow, &nhigh);
+    const double low = at[nlow], high = at[MOST_LAYERS - nhigh];
+    const int parts = middle_parts(high - low, &up, &down), n = nlow + parts + nhigh;
+    TRY(TAKE(all, (size_t)n + 1));
+    for (int i = 0; i <= n; i++) {
+        all[i] = i <= nlow          ? at[i]
+                 : i < nlow + parts ? low + (high - low) * (i - nlow) / parts
+                                    : at[MOST_LAYERS - (n - i)];
+    }
+    *layer = all;
+    *nlayer = n;
+    all = NULL;
+
+done:
+    free(at);
+    free(all);
+    return st;
+}
+
+// --- what is left of the error
+
+// What is left by a rung of the one below where only orders rise, and what one layer more leaves
+// beside GROWTH^(-2 lambda): larger than what is measured, docs/theory.md (5.15).
+static const double ORDER_LEFT[RUNG_COUNT] = {1, 0.5, 0.45, 0.4, 0, 0};
+static const double LAYER_LEFT = 1.5;
+
+// no rung leaves more of an error in a sequence that converges
+static const double SLOWEST = 0.75;
+
+double segment_rung_left(int rung, double nu)
+{
+    const double layer = LAYER_LEFT * pow(GROWTH, -2 * corner_strength(nu));
+    return ORDER_LEFT[rung] > 0 ? ORDER_LEFT[rung] : layer;
+}
+
+// e_k = left e_(k-1) and v_k - v_(k-1) = e_(k-1) - e_k
+double segment_rung_factor(int rung, double nu)
+{
+    const double left = segment_rung_left(rung, nu);
+    return left / (1 - left);
+}
+
+double segment_rung_error(int rung, double nu, int n, const double *value)
+{
+    const double last = fabs(value[n - 1] - value[n - 2]);
+    double factor = segment_rung_factor(rung, nu);
+    if (n > 2) {
+        // slower than expected: as slow from now on, but for what three values cannot tell
+        const double before = fabs(value[n - 2] - value[n - 3]);
+        const double seen = before > 0 ? fmin(last / before, SLOWEST) : SLOWEST;
+        factor = fmax(factor, seen / (1 - seen));
+    }
+    return factor * last;
+}
