@@ -180,6 +180,22 @@ done:
     return st;
 }
 
+// in four sums, which a compiler may take at once
+static double dot(int n, const double *a, const double *b)
+{
+    double sum[4] = {0};
+    int k = 0;
+    for (; k + 4 <= n; k += 4) {
+        for (int i = 0; i < 4; i++) {
+            sum[i] += a[k + i] * b[k + i];
+        }
+    }
+    for (; k < n; k++) {
+        sum[0] += a[k] * b[k];
+    }
+    return sum[0] + sum[1] + (sum[2] + sum[3]);
+}
+
 static status factorize(extension *e)
 {
     for (int i = 0; i < e->nfree; i++) {
@@ -187,10 +203,7 @@ static status factorize(extension *e)
         for (int j = e->first[i]; j <= i; j++) {
             const int from = e->first[i] > e->first[j] ? e->first[i] : e->first[j];
             const double *a = row + (from - e->first[i]), *b = entry(e, j, from);
-            double sum = row[j - e->first[i]];
-            for (int k = 0; k < j - from; k++) {
-                sum -= a[k] * b[k];
-            }
+            const double sum = row[j - e->first[i]] - (j > from ? dot(j - from, a, b) : 0);
             if (j == i && !(sum > 0)) {
                 return status_fail(ERR_NUMERIC, "a mesh to follow the section with is degenerate");
             }
@@ -247,9 +260,8 @@ void extension_fill(const extension *e, double (*d)[2], double *room)
     for (int c = 0; c < 2; c++) {
         load(e, d, c, room);
         for (int i = 0; i < e->nfree; i++) {
-            for (int j = e->first[i]; j < i; j++) {
-                room[i] -= *entry(e, i, j) * room[j];
-            }
+            const int first = e->first[i];
+            room[i] -= dot(i - first, entry(e, i, first), room + first);
             room[i] /= *entry(e, i, i);
         }
         for (int i = e->nfree - 1; i >= 0; i--) {

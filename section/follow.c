@@ -46,14 +46,27 @@ void section_follow_free(section_follow *f)
     free(f);
 }
 
-static bool any_directed(const section_case *c, const material *materials)
+// whether a shape has the material; of a drawing any may
+static bool is_used(const section_case *c, int material)
 {
-    for (int i = 0; i < c->nmaterial; i++) {
-        if (materials[i].kind != MATERIAL_ISOTROPIC) {
+    const shape_spec *shapes = c->shapes.items;
+    for (int i = 0; i < c->shapes.count && !c->drawing; i++) {
+        if (shapes[i].material_index == material) {
             return true;
         }
     }
-    return false;
+    return c->drawing != NULL;
+}
+
+// What its materials allow beside their moduli along the rod, which do not move anything.
+static material_traits traits_of_used(const section_case *c, const material *materials)
+{
+    material_traits t = {0};
+    for (int i = 0; i < c->nmaterial; i++) {
+        t.across = t.across || (is_used(c, i) && material_is_graded(&materials[i]));
+        t.anisotropic = t.anisotropic || (is_used(c, i) && materials[i].kind != MATERIAL_ISOTROPIC);
+    }
+    return t;
 }
 
 static bool only_moves_as_a_whole(const section_case *c)
@@ -132,7 +145,8 @@ status section_follow_make(const section_case *c, const material *materials, dou
     f->plane = plane;
     f->turn = field_at(&c->turn, from);
     f->scale = field_at(&c->scale, from);
-    f->turns_frames = plane->nframe > 0 && section_varies(c) && any_directed(c, materials);
+    f->turns_frames =
+        plane->nframe > 0 && section_varies(c) && traits_of_used(c, materials).anisotropic;
     if (!only_moves_as_a_whole(c)) {
         TRY(mesh_copy(plane, &moving));
         TRY(step_along(f, from, to, &moving));
@@ -276,7 +290,8 @@ static status sample(const section_case *c, const material *materials, double fr
     TRY(section_store_make(c, materials, to, &store));
     TRY(section_place_at(c, from, to, &first));
     TRY(section_place_at(c, from, to, &last));
-    course->turns_only = !store.traits.along;
+    store.traits = traits_of_used(c, materials);
+    course->turns_only = true;
     course->one_grid = first.drawn;
     for (int i = 1; i < SAMPLES; i++) {
         section_likeness like = {0};

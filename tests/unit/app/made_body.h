@@ -10,10 +10,14 @@
 
 static const double PI = 3.14159265358979323846;
 
-static const char start[] = "format: 1\n"
-                            "materials: {soft: {E_MPa: 0.66, nu: 0.3}, stiff: {E_MPa: 15.93, nu: "
-                            "0.3}, plain: {E_MPa: 1, nu: 0}}\n"
-                            "section:\n";
+static const char start[] =
+    "format: 1\n"
+    "materials: {soft: {E_MPa: 0.66, nu: 0.3}, stiff: {E_MPa: 15.93, nu: "
+    "0.3}, plain: {E_MPa: 1, nu: 0},\n"
+    "  wood: {E1_MPa: 10, E2_MPa: 1, E3_MPa: 0.8, nu12: 0.3, nu13: 0.3, nu23: 0.3, G12_MPa: 0.7, "
+    "G13_MPa: 0.7, G23_MPa: 0.3},\n"
+    "  graded: {E_MPa: 1 + 200*x, nu: 0.3}, along: {E_MPa: 1 + 10*s, nu: 0}}\n"
+    "section:\n";
 static const char annulus[] =
     "    - {annulus: {outer_radius_mm: 4, inner_radius_mm: 3.2}, material: soft}\n";
 
@@ -104,4 +108,4 @@ static inline void unmake(made *m)
     case_free(&m->c);
 }
 
-static const segment_mesh fine = {.order = 4, .size = 0.4e-3};
+static const segment_mesh fine = {.order = 4, .size = 0.6e-3};

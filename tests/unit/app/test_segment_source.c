@@ -12,7 +12,7 @@ static void the_helical_robot_has_its_volumes(void)
                    "  shapes:\n%s    - {sector: {outer_radius_mm: 4, inner_radius_mm: 3.2, "
                    "mid_angle_rad: pi*s/L, width_rad: pi/4 - (pi/8)*(s/L)}, material: stiff}\n",
                    annulus);
-    CHECK_OK(make(shapes, "fem: {length_mm: 120, loads: []}\n", fine, 24, &m));
+    CHECK_OK(make(shapes, "fem: {length_mm: 120, loads: []}\n", fine, 16, &m));
     CHECK(m.spec.shape.place && m.spec.turn_rate == 0 && !m.source.fixed_layers);
     CHECK_NEAR(m.source.nu, 0.3, 1e-15);
     // half a turn and a bit for the width, layers no longer than pi/8
@@ -181,7 +181,7 @@ static void a_hook_is_straight_then_round(void)
     CHECK_OK(make(shapes,
                   "rod: {length_mm: 60, rest: {curvature_x_per_m: \"s < 0.0237 ? 0 : 50\"}}\n"
                   "fem: {length_mm: 60, loads: []}\n",
-                  fine, 24, &m));
+                  fine, 16, &m));
     double tip[3];
     body_origin(&m.body, m.body.nlevel - 1, tip);
     const double bend = 50 * (0.06 - 0.0237);
@@ -200,8 +200,8 @@ static void curves_are_followed_step_by_step(void)
         "- "
         "{ellipse: {semi_axis_x_mm: 1, semi_axis_y_mm: 0.6 + 0.005*s, angle_rad: 100*s}, material: "
         "stiff}\n";
-    const segment_mesh ask = {.order = 2};
-    CHECK_OK(make(shapes, "fem: {length_mm: 60, loads: []}\n", ask, 40, &m));
+    const segment_mesh ask = {.order = 2, .size = 0.7e-3};
+    CHECK_OK(make(shapes, "fem: {length_mm: 60, loads: []}\n", ask, 30, &m));
     CHECK(m.spec.shape.place && m.plane.block[0].shape == SHAPE_TRIANGLE);
     const body_volume v = body_volumes(&m.body);
     // int pi r^2, r from 4 to 3.4; four lumens; int pi a b, b from 0.6 to 0.9
@@ -280,7 +280,7 @@ static void a_fast_turn_keeps_its_rate(void)
         "material: soft}\n    - {sector: {outer_radius_mm: 4, inner_radius_mm: 3, "
         "mid_angle_rad: 2*pi*s/0.0015, width_rad: 1}, material: stiff}\n";
     const segment_mesh ask = {.order = 1};
-    CHECK_OK(make(shapes, "fem: {length_mm: 120, loads: []}\n", ask, 300, &m));
+    CHECK_OK(make(shapes, "fem: {length_mm: 120, loads: []}\n", ask, 30, &m));
     CHECK_NEAR(m.spec.turn_rate, 2 * PI / 0.0015, 1e-9);
     CHECK(m.source.sections_along == 16 * 80);
     unmake(&m);

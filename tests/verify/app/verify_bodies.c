@@ -1,36 +1,8 @@
 // tests/verify/app/verify_bodies.c
 // Bodies that follow the section along the rod, solved: against an independent 3D code, closed
 // forms and one another.
-#include "fem/way.h"
-#include "tests/unit/app/made_body.h"
 #include "tests/unit/app/stack_files.h"
-
-typedef struct solved {
-    made m;
-    way_run run;
-    mat6 C; // of the tip
-} solved;
-
-static void solve(const char *section, const char *rest, segment_mesh ask, int nlayer,
-                  double grading, solved *out)
-{
-    *out = (solved){0};
-    CHECK_OK(make_graded(section, rest, ask, nlayer, grading, &out->m));
-    const body *b = &out->m.body;
-    const segment_problem p = {.body = b, .base = BASE_CLAMPED, .tip = TIP_RIGID};
-    const way_wants wants = {.middle = b->length / 2, .middle_half = b->length / 8};
-    CHECK_OK(way_direct(&p, &wants, &out->run));
-    for (int i = 0; i < 36 && out->run.motion; i++) {
-        out->C.a[i % 6][i / 6] =
-            out->run.motion[i / 6 * out->run.nlevel + out->run.nlevel - 1].a[i % 6];
-    }
-}
-
-static void done_with(solved *s)
-{
-    way_run_free(&s->run);
-    unmake(&s->m);
-}
+#include "tests/verify/app/solved_body.h"
 
 // An independent code's tip compliance, good to 2e-5: mm, N, rad.
 static const mat6 H120 = {{
