@@ -1,8 +1,6 @@
 // app/case_segment.c
 #include "app/case_segment.h"
 
-#include "fem/segment_material.h"
-
 bool case_segment_accelerates(const case_data *c)
 {
     const segment_load *loads = c->file.fem.loads.items;
@@ -30,22 +28,6 @@ status case_check_densities(const case_data *c, const char *why)
         }
     }
     return OK;
-}
-
-// those of shapes; of a file it is known with its mesh
-static status check_materials(const case_data *c)
-{
-    status st = OK;
-    const shape_spec *shapes = c->file.section.shapes.items;
-    for (int i = 0; !c->file.section.drawing && i < c->file.section.shapes.count; i++) {
-        const int k = shapes[i].material_index;
-        if (k >= 0) {
-            TRY(case_place(c, segment_takes_material(&c->materials[k]), c->materials[k].at));
-        }
-    }
-
-done:
-    return st;
 }
 
 // what the rounding of a unit may add to the segment's end, over the rod's length
@@ -78,7 +60,6 @@ status case_segment_check(const case_data *c)
     mark where = fem->at;
     st = segment_case_check(fem, &where);
     TRY(case_place(c, st, where));
-    TRY(check_materials(c));
     if (case_segment_accelerates(c)) {
         TRY(case_check_densities(c, CASE_SEGMENT_ACCELERATES));
     }

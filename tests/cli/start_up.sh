@@ -1,5 +1,5 @@
 #!/bin/sh
-# What a command does not need it does not load: section and rod start neither MPI nor gmsh nor HDF5.
+# What a command does not need it does not load: sections, rods and prisms in 3D start neither MPI nor gmsh nor HDF5.
 set -u
 . "$STIFFAXIS_SOURCE/tests/cli/helpers"
 cases=$source/cases
@@ -10,14 +10,14 @@ loads() {
         sed -E 's/.*\/lib(mpi|petsc|gmsh|hdf5).*/\1/' | sort -u | tr '\n' ' '
 }
 
-for command in 'section constant_nc' 'rod constant_nc' 'section helical_nc' 'rod helical_nc' 'check fig4'; do
+for command in 'section constant_nc' 'rod constant_nc' 'section helical_nc' 'rod helical_nc' 'check fig4' 'fem fig4' 'fem constant_nc'; do
     set -- $command
     found=$(loads "$program" "$1" "$cases/$2.yaml")
     [ -z "$found" ] || fail "$command loads $found"
 done
 
 # the check itself works: these do load them
-case $(loads "$program" fem "$cases/fig4.yaml") in
+case $(loads "$program" fem "$cases/fig4.yaml" --set fem.method=direct --set fem.order=2) in
 *mpi*petsc*) ;;
 *) fail 'fem loads no PETSc: this script looks for the wrong thing' ;;
 esac
