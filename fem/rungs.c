@@ -12,7 +12,7 @@
 // worth it only once the elements between are good. Two rungs without layers, two with one on walls
 // of a fifth of the radius, then one more layer each.
 static const segment_rung rungs[RUNG_COUNT] = {
-    {.plane_order = 2, .edge_first = 1, .order = 3, .end_first = 0.1},
+    {.plane_order = 3, .edge_first = 1, .order = 3, .end_first = 0.1},
     {.plane_order = 4, .edge_first = 0.2, .order = 4, .end_first = 0.1},
     {.plane_order = 3, .edge_first = 0.02, .order = 4, .end_first = 0.05},
     {.plane_order = 4, .edge_first = 0.02, .order = 4, .end_first = 0.02},
@@ -120,7 +120,7 @@ done:
 
 // What is left by a rung of the one below where only orders rise, and what one layer more leaves
 // beside GROWTH^(-2 lambda): larger than what is measured, docs/theory.md (5.15).
-static const double ORDER_LEFT[RUNG_COUNT] = {1, 0.5, 0.45, 0.4, 0, 0};
+static const double ORDER_LEFT[RUNG_COUNT] = {1, 0.6, 0.45, 0.4, 0, 0};
 static const double LAYER_LEFT = 1.5;
 
 // no rung leaves more of an error in a sequence that converges
