@@ -213,12 +213,8 @@ static status make_matrix(builder *a)
     int *own = NULL, *beyond = NULL;
     const unknowns *u = a->u;
     TRY(a->door->agree(pattern(u, &own, &beyond)));
-    const petsc_pattern wanted = {.nblock = u->nblock,
-                                  .first = u->first,
-                                  .last = u->last,
-                                  .nabove = unknowns_above(u),
-                                  .diagonal = own,
-                                  .beyond = beyond};
+    const petsc_pattern wanted = {
+        .nblock = u->nblock, .first = u->first, .last = u->last, .diagonal = own, .beyond = beyond};
     TRY(a->door->matrix_make(&wanted, &a->matrix));
 
 done:

@@ -15,8 +15,6 @@ typedef struct petsc_matrix petsc_matrix;
 typedef struct petsc_pattern {
     int nblock;      // block rows in all
     int first, last; // this rank's: first <= row < last
-    int nabove;      // its rows couple to blocks below last + nabove only, and the next rank has
-                     // those
     const int
         *diagonal;     // [last - first] blocks in columns row..last-1, the diagonal one among them
     const int *beyond; // [last - first] blocks in columns from last on
@@ -58,9 +56,6 @@ typedef struct petsc_door {
 
     // (all) x = A^-1 b by the factors; b, x [ncol][3 (last - first)].
     status (*matrix_solve)(petsc_matrix *m, int ncol, const double *b, double *x);
-
-    // (all) y = A x in extended precision; x, y [3 (last - first)][ncol].
-    status (*matrix_multiply)(petsc_matrix *m, int ncol, const double *x, long double *y);
 
     void (*matrix_free)(petsc_matrix *m); // (all) NULL is nothing
 } petsc_door;

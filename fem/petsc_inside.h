@@ -11,9 +11,6 @@ enum { PETSC_BLOCK = 3 };
 struct petsc_matrix {
     Mat A, factor;
     int nblock, first, last;
-    int nabove; // blocks after `last` that its rows couple to: the first of the next rank with rows
-    int nfirst; // of its own rows, to which the rank before couples
-    int before, after; // ranks next to this one, MPI_PROC_NULL: none
 };
 
 // what a user can do about memory
@@ -44,4 +41,3 @@ void petsc_matrix_free(petsc_matrix *m);
 // --- petsc_solve_door_module.c
 
 status petsc_matrix_solve(petsc_matrix *m, int ncol, const double *b, double *x);
-status petsc_matrix_multiply(petsc_matrix *m, int ncol, const double *x, long double *y);

@@ -18,7 +18,7 @@ typedef struct way {
 static const way ways[] = {
     [WAY_AUTO] = {"auto", NULL, NULL},
     [WAY_DOUBLING] = {"doubling", way_cost_doubling, way_doubling},
-    [WAY_DIRECT] = {"direct", NULL, way_direct},
+    [WAY_DIRECT] = {"direct", way_cost_direct, way_direct},
     [WAY_ITERATIVE] = {"iterative", NULL, NULL},
 };
 

@@ -80,13 +80,6 @@ static inline bool unknowns_has_tip(const unknowns *u) // whether its rows are t
     return u->share.first < u->share.last && u->share.last == u->nlevel;
 }
 
-// Blocks of the next rank to which this one's are coupled: those of the level above.
-static inline int unknowns_above(const unknowns *u)
-{
-    const int level = u->share.last;
-    return level < u->nlevel ? u->start[level + 1] - u->start[level] : 0;
-}
-
 // Motion of a node of the tip by the cap's six unknowns, rows by direction. (5.7)
 void unknowns_cap_motion(const unknowns *u, int plane_node, double T[3][6]);
 

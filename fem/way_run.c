@@ -141,6 +141,7 @@ static status keep_field(const way_field *f, way_run *run)
     run->last = s->to;
     run->own_first = s->first;
     run->own_last = s->last;
+    run->shared = s->size > 1;
     TRY(TAKE(run->u, all));
     memcpy(run->u, f->u, all * sizeof *run->u);
 

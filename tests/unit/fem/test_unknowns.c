@@ -119,7 +119,6 @@ static void the_pattern_is_what_elements_couple(const segment_problem *p, int si
             for (int j = i; j < u.nblock; j++) {
                 inside += j < u.last && coupled[i][j];
                 outside += j >= u.last && coupled[i][j];
-                CHECK(!coupled[i][j] || j < u.last + unknowns_above(&u));
             }
             // room enough; where all is matter, no more
             CHECK(own[i - u.first] >= inside && beyond[i - u.first] >= outside);
