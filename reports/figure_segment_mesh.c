@@ -10,7 +10,7 @@
 
 static const double side = 28, head = 74, picture_size = 520, bar_width = 150, below = 66;
 // more elements than this are a grey blur
-enum { MOST_ELEMENTS = 60000 };
+enum { MOST_ELEMENTS = 60000, MOST_CUTS = 10 };
 
 typedef struct sheet {
     const run_result *r;
@@ -38,7 +38,7 @@ static view fit(const mesh *m, box at)
 static void edge_path(canvas *c, const plane_edges *e, const plane_edge *edge, const view *v,
                       bool begin)
 {
-    const int cuts = e->line.order == 1 ? 1 : e->line.order + 1;
+    const int cuts = e->line.order == 1 ? 1 : MOST_CUTS;
     for (int i = begin ? 0 : 1; i <= cuts; i++) {
         double p[2];
         plane_edge_point(e, edge, 2.0 * i / cuts - 1, p);
