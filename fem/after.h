@@ -1,7 +1,7 @@
 // fem/after.h
 // What follows from a solved segment: compliance, middle, centres, ends, slices and loads. Pure
 // functions of a way_run and its problem; the same on every rank. docs/theory.md (5.2) to (5.5),
-// (5.16) to (5.18)
+// (5.17), (5.18), (5.20), (5.21)
 #pragma once
 
 #include "base/beam_law.h"
@@ -67,13 +67,14 @@ double after_energy(const after *a, const double *factor);
 
 // One slice per height of the run: [nlevel] motion and resultant in the base's axes about the
 // section's origin, what the tip's wrench puts on it, and strains of the fitted motions in the
-// body's frame, (5.16).
+// body's frame, (5.20).
 typedef struct slice_arrays {
     vec6 *motion, *resultant, *load, *strain;
 } slice_arrays;
 status after_slices(const after *a, const double *factor, const slice_arrays *out);
 
-// Largest miss of the resultants against the loads, moments over the radius, over the largest load.
+// Largest miss of the resultants against the loads, moments over the radius, over the largest load;
+// NaN where the run does not tell all that acts.
 double after_balance(const after *a, const vec6 *resultant, const vec6 *load);
 
 // A wrench at one point as seen from another: `from` - `to` is the arm.
@@ -110,6 +111,6 @@ status after_keep_body(const segment_problem *p, const way_run *run, bool fields
 
 // Stresses at the nodes of `here`, [levels here][apart nnode][6], of displacements u [run->last -
 // run->first][nplane][3]: the mean of what a node's elements say, each material by itself; an
-// element says the polynomial through its best points. docs/theory.md (5.19)
+// element says the polynomial through its best points. docs/theory.md (5.21)
 status after_stress(const segment_body *here, const body *b, const way_run *run, const double *u,
                     double **stress);

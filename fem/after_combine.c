@@ -59,7 +59,7 @@ status after_combine(const after *a, const tip_load *load, double *factor)
 
 // --- slices
 
-// strains of fitted motions: delta v = A^T (t' + r' x q), delta w = A^T q', (5.16); the body's
+// strains of fitted motions: delta v = A^T (t' + r' x q), delta w = A^T q', (5.20); the body's
 // frame does not turn with the pattern of a prism
 static vec6 strain_of(const after *a, const section_pose *pose, vec3 along, vec6 motion, vec6 slope)
 {
@@ -142,9 +142,26 @@ done:
     return st;
 }
 
+// what the run does not tell may act between base and tip
+static bool only_tip_is_loaded(const segment_problem *p)
+{
+    bool only = p->nspring == 0 && p->nhold == 0;
+    for (int j = 0; j < p->nextra; j++) {
+        const load_column *c = &p->extra[j];
+        only = only && c->npressure == 0 && !c->holds_move;
+        for (int d = 0; d < 3; d++) {
+            only = only && c->body_force[d] == 0 && c->acceleration[d] == 0;
+        }
+    }
+    return only;
+}
+
 double after_balance(const after *a, const vec6 *resultant, const vec6 *load)
 {
     double miss = 0, most = 0;
+    if (!a->run->applied && !only_tip_is_loaded(a->problem)) {
+        return NAN;
+    }
     for (int i = 0; i < a->run->nlevel; i++) {
         for (int k = 0; k < 6; k++) {
             const double unit = k < 3 ? 1 : a->radius;

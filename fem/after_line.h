@@ -12,7 +12,7 @@ typedef struct after_line {
 } after_line;
 
 // df/dz at all points. Layers: the derivative of each layer's polynomial at its Gauss points, where
-// it is best, and a polynomial through the nearest of them. docs/theory.md (5.16)
+// it is best, and a polynomial through the nearest of them. docs/theory.md (5.20)
 status line_slopes(const after_line *line, const vec6 *f, vec6 *slope);
 
 // Least-squares slope of f over centre - half .. centre + half, (5.3).

@@ -1,5 +1,5 @@
 // fem/after_stress.c
-// Stresses at the nodes from the points where they are best. docs/theory.md (5.19)
+// Stresses at the nodes from the points where they are best. docs/theory.md (5.21)
 #include "fem/after.h"
 
 #include "base/memory.h"
