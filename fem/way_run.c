@@ -139,6 +139,7 @@ static status keep_field(const way_field *f, way_run *run)
     const size_t all = way_field_offset(f, run->ncolumn, s->from);
     run->first = s->from;
     run->last = s->to;
+    run->shared = s->size > 1;
     run->own_first = s->first;
     run->own_last = s->last;
     run->shared = s->size > 1;

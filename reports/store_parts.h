@@ -42,6 +42,8 @@ status store_pass_answers(const passage *p, run_result *r); // after the section
 status store_pass_strains(const passage *p, run_result *r); // after the rod
 status store_pass_rod(const passage *p, run_result *r);
 status store_pass_segment(const passage *p, run_result *r);
+// Fields go into the file where all levels are: here, or on the ranks together.
+bool store_segment_is_whole(const segment_body *b);
 status store_pass_segment_body(const passage *p, run_result *r);
 status store_pass_segment_fields(const passage *p, int load, run_result *r); // of one load
 status store_pass_models(const passage *p, run_result *r);                   // with the comparisons

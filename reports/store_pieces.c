@@ -211,7 +211,7 @@ static status add_all(store *s, const run_result *r, pieces *p)
     if (r->has_section && r->section_mesh.nnode > 0) {
         TRY(add_piece(s, p, &r->section_mesh, "section"));
     }
-    for (int i = 0; r->has_segment && b->nlevel > 0 && i < r->segment.nload; i++) {
+    for (int i = 0; r->has_segment && store_segment_is_whole(b) && i < r->segment.nload; i++) {
         if (r->segment.load[i].displacement) {
             TRY(add_segment(s, p, b, &r->segment.load[i]));
         }

@@ -9,7 +9,7 @@ enum { MOST_LAYERS = 1000000, MOST_VALUES = 1000000000 };
 
 // Fields go into the file, and come out of it, where all levels are: here, or on the ranks
 // together.
-static bool is_whole(const segment_body *b)
+bool store_segment_is_whole(const segment_body *b)
 {
     return b->nlevel > 0 && (b->shared || (b->first == 0 && b->last == b->nlevel));
 }
@@ -101,7 +101,7 @@ status store_pass_segment_body(const passage *p, run_result *r)
                         node = {"node_m", COLUMN_REAL, "m", 0, 1, {3}, 0};
     status st = OK;
     segment_body *b = &r->segment.body;
-    int nlayer = is_whole(b) ? b->nlayer : 0;
+    int nlayer = store_segment_is_whole(b) ? b->nlayer : 0;
     TRY(passage_mesh(p, "fem/plane", 2, r->nmaterial, &b->plane));
     TRY(passage_count(p, "fem/layer_count", 0, MOST_LAYERS, &nlayer));
     if (nlayer == 0) {
@@ -131,7 +131,7 @@ static status pass_field(const passage *p, int load, const column *c, int nnode,
 {
     status st = OK;
     char group[64], flag[96];
-    const bool can = is_whole(b) && nnode > 0;
+    const bool can = store_segment_is_whole(b) && nnode > 0;
     int there = *field != NULL && can;
     (void)snprintf(group, sizeof group, "fem/load/%d", load);
     (void)snprintf(flag, sizeof flag, "%s/has_%s", group, c->name);
