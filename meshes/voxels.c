@@ -168,8 +168,14 @@ status voxel_plane(const drawing *d, const voxel_request *ask, mesh *out)
     straight_cells cells = {0};
     TRY(unite(d, ask, &all));
     TRY(make_cells(&all, &cells));
-    if (cells.ncell[1] > SECTION_MOST_ELEMENTS || cells.ncell[1] < 1) {
-        TRY(status_fail(ERR_INPUT, "mesh: the slices make %d squares, from 1 to %d are possible",
+    if (cells.ncell[1] < 1) {
+        TRY(status_fail(ERR_INPUT,
+                        "mesh: voxels of %g mm leave nothing of the slices, they are to "
+                        "be smaller",
+                        1e3 * ask->size));
+    }
+    if (cells.ncell[1] > SECTION_MOST_ELEMENTS) {
+        TRY(status_fail(ERR_INPUT, "mesh: the slices make %d squares, at most %d are possible",
                         cells.ncell[1], SECTION_MOST_ELEMENTS));
     }
     TRY(straight_cells_mesh(&cells, ask->order, out));
