@@ -31,8 +31,9 @@ segment_rung segment_rung_of(int rung)
 // fade
 static const double GROWTH = 5, SLOW = 2;
 
-// a tip under tractions is less singular than one that is held: its layers are so much thicker
-static const double SOFT_END = 5;
+// a free end is not singular where its wall is not: its layers are so much thicker. Tractions jump
+// at interfaces, so that a loaded end needs as thin ones as a held end
+static const double FREE_END = 5;
 
 // whatever the length and its changes
 enum { MOST_LAYERS = 4096 };
@@ -47,14 +48,10 @@ static double next_step(const march *m)
     return fmin(m->longest, grown <= m->radius ? grown : fmax(m->step, m->radius / SLOW) * SLOW);
 }
 
-static bool is_held(int base, int tip, bool at_tip)
-{
-    return at_tip ? tip == TIP_RIGID : base == BASE_CLAMPED;
-}
-
 static march march_from(const segment_rung *r, const rung_body *b, bool at_tip)
 {
-    const double soft = is_held(b->base, b->tip, at_tip) ? 1 : SOFT_END;
+    const bool is_free = at_tip ? b->tip == TIP_FREE : b->base == BASE_FREE;
+    const double soft = is_free ? FREE_END : 1;
     const double longest = b->sections_along > 0 ? b->length / b->sections_along : b->length;
     return (march){fmin(soft * r->end_first * b->radius, longest), b->radius, longest};
 }
