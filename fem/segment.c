@@ -217,7 +217,7 @@ status segment_solve(const segment_case *c, const segment_source *source, const 
     status st = OK;
     climb k = {.c = c, .source = source, .point = point};
     segment_result r = {0};
-    const segment_climb steps = segment_climb_of(c, source);
+    const segment_climb steps = segment_climb_of(c);
 
     TRY(problem_parts_make(c, &k.parts));
     for (int i = steps.first; i <= steps.last; i++) {

@@ -2,8 +2,10 @@
 #include "fem/segment_plan.h"
 
 #include "base/memory.h"
+#include "fem/rungs.h"
 
 #include <math.h>
+#include <string.h>
 
 void segment_plan_free(segment_plan *p)
 {
@@ -53,25 +55,55 @@ done:
     return st;
 }
 
-segment_climb segment_climb_of(const segment_case *c, const segment_source *source)
+// --- the ladder
+
+// the estimates that rungs usually end with, on Fig. 4's segment: where a climb begins
+static const double USUAL_ESTIMATE[RUNG_COUNT] = {1, 3e-3, 5e-5, 1e-5, 2e-6, 3e-7};
+
+static int likely_rung(double tolerance)
 {
-    (void)source;
+    int rung = 1;
+    while (rung < RUNG_COUNT - 1 && USUAL_ESTIMATE[rung] > tolerance) {
+        rung++;
+    }
+    return rung;
+}
+
+segment_climb segment_climb_of(const segment_case *c)
+{
     if (is_given(c)) {
         return (segment_climb){c->order == 1 ? GIVEN : LOWER, GIVEN};
     }
-    return (segment_climb){0, 1};
+    return c->tolerance > 0 ? (segment_climb){likely_rung(c->tolerance) - 1, RUNG_COUNT - 1}
+                            : (segment_climb){0, 1};
 }
 
-static status plan_rung(const segment_case *c, double radius, int rung, segment_plan *out)
+static status plan_rung(const segment_case *c, const segment_source *source, int rung,
+                        segment_plan *out)
 {
-    static const int order[6] = {2, 3, 3, 4, 4, 4}, edge[6] = {0, 0, 1, 2, 3, 4};
+    const segment_rung r = segment_rung_of(rung);
+    const rung_body b = {.length = c->length,
+                         .radius = source->radius,
+                         .base = c->base,
+                         .tip = c->tip,
+                         .sections_along = source->sections_along};
+    *out = (segment_plan){.mesh = {.order = r.plane_order,
+                                   .size = r.size * source->radius,
+                                   .edge_layers = 1,
+                                   .edge_first = r.edge_first},
+                          .order = r.order};
+    return segment_rung_layers(&r, &b, &out->nlayer, &out->layer);
+}
+
+// a stack's layers are its slices' own
+static status take_layers(const segment_source *source, segment_plan *out)
+{
     status st = OK;
-    segment_case with = *c;
-    with.order = order[rung];
-    with.layers = 0;
-    with.size = 0.5 * radius;
-    TRY(plan_given(&with, radius, GIVEN, out));
-    out->mesh.edge_layers = edge[rung];
+    free(out->layer);
+    out->layer = NULL;
+    out->nlayer = source->nlayer;
+    TRY(TAKE(out->layer, (size_t)source->nlayer + 1));
+    memcpy(out->layer, source->layer, ((size_t)source->nlayer + 1) * sizeof *out->layer);
 
 done:
     return st;
@@ -80,14 +112,15 @@ done:
 status segment_plan_make(const segment_case *c, const segment_source *source, int rung,
                          segment_plan *out)
 {
-    return is_given(c) ? plan_given(c, source->radius, rung, out)
-                       : plan_rung(c, source->radius, rung, out);
+    status st = OK;
+    TRY(is_given(c) ? plan_given(c, source->radius, rung, out) : plan_rung(c, source, rung, out));
+    TRY(source->fixed_layers ? take_layers(source, out) : OK);
+
+done:
+    return st;
 }
 
 double segment_plan_factor(const segment_case *c, const segment_source *source, int rung)
 {
-    (void)c;
-    (void)source;
-    (void)rung;
-    return 1;
+    return is_given(c) ? 1 : segment_rung_factor(rung, source->nu);
 }

@@ -17,7 +17,7 @@ typedef struct segment_plan {
 typedef struct segment_climb {
     int first, last;
 } segment_climb;
-segment_climb segment_climb_of(const segment_case *c, const segment_source *source);
+segment_climb segment_climb_of(const segment_case *c);
 
 status segment_plan_make(const segment_case *c, const segment_source *source, int rung,
                          segment_plan *out);

@@ -19,7 +19,7 @@ static const way ways[] = {
     [WAY_AUTO] = {"auto", NULL, NULL},
     [WAY_DOUBLING] = {"doubling", way_cost_doubling, way_doubling},
     [WAY_DIRECT] = {"direct", way_cost_direct, way_direct},
-    [WAY_ITERATIVE] = {"iterative", NULL, NULL},
+    [WAY_ITERATIVE] = {"iterative", way_cost_iterative, way_iterative},
 };
 
 const char *segment_way_name(int w)
@@ -93,7 +93,7 @@ status segment_way_solve(int asked, const segment_problem *p, const way_wants *w
     way_cost cost[WAY_ITERATIVE + 1] = {{0}};
     const int nrank = from_environment("OMPI_COMM_WORLD_SIZE", 1);
     for (int w = WAY_DOUBLING; w <= WAY_ITERATIVE; w++) {
-        cost[w] = ways[w].cost ? ways[w].cost(p, nrank) : (way_cost){ways[w].solve != NULL, 10, 1e9};
+        cost[w] = ways[w].cost(p, nrank);
     }
     *taken = asked != WAY_AUTO ? asked : cheapest(cost, memory_of_rank(nrank));
     tell(cost, asked, why);
