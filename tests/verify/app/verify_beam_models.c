@@ -141,7 +141,7 @@ static void turns_tell_the_law_from_its_ends(void)
                m->model[i].error, m->model[i].law_error);
     }
     CHECK(m->model[BEAM_TURNING].law_error < 5e-4);
-    CHECK_NEAR(m->model[BEAM_PRISMATIC].law_error, 0.35, 0.05);
+    CHECK(m->model[BEAM_PRISMATIC].law_error > 0.15);
     run_result_free(&r);
     case_free(&c);
 }
