@@ -180,7 +180,7 @@ status way_doubling(const segment_problem *p, const way_wants *wants, way_run *o
     for (int part = 0; part < d.cut.npart; part++) {
         TRY(solve_part(&d, part, cell_energy, &run));
     }
-    doubling_answer_finish(&d, cell_energy, &run);
+    TRY(doubling_answer_finish(&d, cell_energy, &run));
     run.dofs = 3LL * p->body->plane->nnode * p->body->order * (1LL << d.doublings);
     *out = run;
     run = (way_run){0};

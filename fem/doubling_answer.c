@@ -10,6 +10,9 @@
 // cubic
 enum { ENERGY_POINTS = 6 };
 
+// No answer where more than this of the work is missing: answers are asked for to 1e-4 or so
+static const double MOST_MISSING = 1e-5;
+
 // A column has no share in a part where its forces are below this of the largest: rounding
 static const double NO_SHARE = 1e-13;
 
@@ -277,8 +280,30 @@ static mat6 window_energy(const doubling *d, const double *cell_energy)
     return mat6_congruence(T, mat6_symmetric(sum));
 }
 
-void doubling_answer_finish(const doubling *d, const double *cell_energy, way_run *run)
+// The cells' own energies against the work on the ends: what rounding on the way up, and back, made
+// of the body's stiffness
+static double work_missing(const doubling *d, const double *cell_energy, const way_run *run)
 {
+    double most = 0;
+    for (int j = 0; j < 6; j++) {
+        const double work = run->work[j * d->ncolumn + j];
+        double sum = 0;
+        for (int k = 0; k < 1 << d->grid; k++) {
+            sum += cell_energy[36 * k + 7 * j];
+        }
+        most = fmax(most, fabs(sum - work) / fabs(work));
+    }
+    return most;
+}
+
+status doubling_answer_finish(const doubling *d, const double *cell_energy, way_run *run)
+{
+    const double missing = work_missing(d, cell_energy, run);
+    run->residual = fmax(run->residual, missing);
+    if (!(missing <= MOST_MISSING)) {
+        return status_fail(ERR_NUMERIC, "segment: rounding leaves %.1e of the stiffness uncertain",
+                           missing);
+    }
     for (int j = 0; j < d->ncolumn; j++) {
         vec6 *motion = run->motion + (size_t)j * (size_t)run->nlevel;
         vec6 *resultant = run->resultant + (size_t)j * (size_t)run->nlevel;
@@ -300,4 +325,5 @@ void doubling_answer_finish(const doubling *d, const double *cell_energy, way_ru
         }
     }
     run->energy = window_energy(d, cell_energy);
+    return OK;
 }

@@ -27,8 +27,8 @@ status doubling_answer_add(const doubling *d, const doubling_tree *t, double *ce
                            way_run *run);
 
 // Turns all into the base's axes, puts the base's mean motion back, and makes the window's energy
-// from those of the cells [2^grid][6][6].
-void doubling_answer_finish(const doubling *d, const double *cell_energy, way_run *run);
+// from those of the cells [2^grid][6][6]. ERR_NUMERIC where rounding has the better of it.
+status doubling_answer_finish(const doubling *d, const double *cell_energy, way_run *run);
 
 // --- fem/doubling_fields.c
 

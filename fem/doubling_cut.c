@@ -186,8 +186,18 @@ static status pin(const cut *c, cut_part *p, int first, int last, int begin, dou
     return OK;
 }
 
+// weights of the unknowns from those of their nodes
+static void weigh(const cut *c, const cut_part *p, const double *weight, double *out)
+{
+    for (int i = 0; i < 6 * c->nplane; i++) {
+        if (p->index[i] >= 0) {
+            out[p->index[i]] = weight[i / 6];
+        }
+    }
+}
+
 // the rigid motions that this part has: those that J keeps first
-static status find_rigid(const cut *c, const mesh *plane, cut_part *p)
+static status find_rigid(const cut *c, const mesh *plane, const double *weight, cut_part *p)
 {
     status st = OK;
     double *work = NULL, *row = NULL;
@@ -206,14 +216,15 @@ static status find_rigid(const cut *c, const mesh *plane, cut_part *p)
         }
         split = reversed ? split : p->nrigid;
     }
+    weigh(c, p, weight, row);
     for (int k = 0; k < p->nrigid; k++) {
         double most = 0;
+        const double *R = p->R + (size_t)k * (size_t)p->n;
         for (int i = 0; i < p->n; i++) {
-            most = fmax(most, fabs(p->R[(size_t)k * (size_t)p->n + (size_t)i]));
+            most = fmax(most, fabs(R[i]) * row[i]);
         }
         for (int i = 0; i < p->n; i++) {
-            work[(size_t)k * (size_t)p->n + (size_t)i] =
-                p->R[(size_t)k * (size_t)p->n + (size_t)i] / most;
+            work[(size_t)k * (size_t)p->n + (size_t)i] = R[i] * row[i] / most;
         }
         p->at[k] = k < split ? k : p->neven + k - split;
     }
@@ -227,7 +238,7 @@ done:
 }
 
 status cut_make(const mesh *plane, const plane_symmetry *s, const involution *reversal, int nplain,
-                const involution *plain, cut *out)
+                const involution *plain, const double *weight, cut *out)
 {
     status st = OK;
     cut c = {.nplane = plane->nnode,
@@ -246,7 +257,7 @@ status cut_make(const mesh *plane, const plane_symmetry *s, const involution *re
         TRY(TAKE(p->share, 2 * dofs));
         TRY(TAKE(p->axial, dofs + 1));
         number_unknowns(&c, &g, k, p);
-        TRY(find_rigid(&c, plane, p));
+        TRY(find_rigid(&c, plane, weight, p));
     }
     *out = c;
     c = (cut){0};

@@ -41,9 +41,12 @@ typedef struct cut {
     cut_part part[CUT_MOST_PARTS];
 } cut;
 
-// plain: up to two involutions that exchange nodes of one level and keep the slab as it is.
+// plain: up to two involutions that exchange nodes of one level and keep the slab as it is. weight
+// [nplane]: how stiff it is about a node; pins are where that is large, so that a strip much
+// stiffer than all else is not far from the rigid motion. ERR_INPUT where the section has no
+// extent.
 status cut_make(const mesh *plane, const plane_symmetry *s, const involution *reversal, int nplain,
-                const involution *plain, cut *out);
+                const involution *plain, const double *weight, cut *out);
 void cut_free(cut *c);
 
 // Forces of the nodes [nplane][3] along a, b, z -> forces on a part's unknowns [n].

@@ -1,6 +1,7 @@
 // fem/doubling_symmetry.c
 #include "fem/doubling_symmetry.h"
 
+#include "base/memory.h"
 #include "fem/doubling_plan.h"
 
 #include <math.h>
@@ -59,19 +60,44 @@ done:
     return st;
 }
 
+// roots of the moduli about every node, over the largest
+static status node_weights(const body *b, double **out)
+{
+    status st = OK;
+    double most = 0;
+    TRY(TAKE(*out, (size_t)b->plane->nnode));
+    for (int k = 0; k < b->plane->nblock; k++) {
+        const mesh_block *m = &b->plane->block[k];
+        for (int i = 0; i < m->nelem * m->per_elem; i++) {
+            const double root = sqrt(b->spec.materials[m->material[i / m->per_elem]].E);
+            (*out)[m->conn[i]] = fmax((*out)[m->conn[i]], root);
+            most = fmax(most, root);
+        }
+    }
+    for (int i = 0; i < b->plane->nnode; i++) {
+        (*out)[i] /= most;
+    }
+
+done:
+    return st;
+}
+
 status doubling_slab_make(const body *thin, slab *s, cut *c)
 {
     status st = OK;
     plane_symmetry on = {0};
     involution reversal = {0}, plain[2];
+    double *weight = NULL;
     int nplain = 0;
     TRY(plane_symmetry_find(thin->plane, thin->spec.turn_rate != 0, &on));
     TRY(slab_make(thin, on.angle, s));
     TRY(find_reversal(s, &on, &reversal));
     TRY(find_plain(s, &on, &nplain, plain));
-    TRY(cut_make(thin->plane, &on, &reversal, nplain, plain, c));
+    TRY(node_weights(thin, &weight));
+    TRY(cut_make(thin->plane, &on, &reversal, nplain, plain, weight, c));
 
 done:
+    free(weight);
     plane_symmetry_free(&on);
     return st;
 }
