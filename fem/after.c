@@ -73,6 +73,7 @@ static status fit_in_layer(const body *b, int layer, int level, level_weight wei
         elements += (size_t)b->plane->block[i].nelem;
     }
     spec.nlayer = 1;
+    spec.hold_first = spec.hold_last = 0; // of the slab all
     spec.layer = (double[]){b->level[layer * b->order], b->level[(layer + 1) * b->order]};
     spec.matter = spec.matter ? spec.matter + (size_t)layer * elements : NULL;
     TRY(body_make(&spec, &slab));
