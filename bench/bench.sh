@@ -23,8 +23,49 @@ timed() {
     "$bin/bench_process" 9 "$1" "$2" "$bin/stiffaxis" "$3" "$4" --json
 }
 
+# the same bodies on one rank and on two: `segment_scaling`. Strong: one size; weak: one size per rank
+segment_scaling() {
+    command -v mpirun >/dev/null || {
+        echo 'no mpirun here'
+        return
+    }
+    echo '#ranks#wall time [s]' >"$STIFFAXIS_BENCH_POINTS"
+    strong_one=$(ranks 1 1) strong_two=$(ranks 2 1)
+    weak_one=$(ranks 1 0.5)
+    printf '%-32s %10s %8s %10s %10s %8s %8s\n' '' dofs levels iterations 'CPU s' 'peak GB' 'wall s'
+    row 'one rank, 1 M' "$strong_one"
+    row 'two ranks, 1 M (of the first)' "$strong_two"
+    row 'one rank, 0.5 M' "$weak_one"
+    verdict 'strong scaling, two ranks over one' "$strong_one" "$strong_two" 1.6
+    verdict 'weak scaling, 0.5 M a rank, of 2' "$weak_one" "$strong_two" 0.75
+    echo "strong,1,${strong_one##* }" >>"$STIFFAXIS_BENCH_POINTS"
+    echo "strong,2,${strong_two##* }" >>"$STIFFAXIS_BENCH_POINTS"
+    echo "weak,1,${weak_one##* }" >>"$STIFFAXIS_BENCH_POINTS"
+    echo "weak,2,${strong_two##* }" >>"$STIFFAXIS_BENCH_POINTS"
+}
+
+# ranks COUNT MILLION: the row of bench_segment_size
+ranks() {
+    root=
+    [ "$(id -u)" -ne 0 ] || root=--allow-run-as-root
+    mpirun $root -n "$1" "$bin/bench_segment_size" body "$2" | tail -n 1
+}
+
+row() {
+    echo "$2" | awk -v name="$1" '{ printf "%-32s %10d %8d %10d %10.2f %8.2f %8.2f\n", name, $1, $3, $4, $9, $10, $11 }'
+}
+
+# verdict WORDS ROW ROW LEAST: wall time of the first over the second's
+verdict() {
+    echo "$2 $3" | awk -v words="$1" -v least="$4" '{
+        ratio = $11 / $22
+        printf "%s  %s: %.2f, at least %s\n", (ratio >= least ? "PASS" : "FAIL"), words, ratio, least
+    }'
+}
+
 names() {
     echo process
+    echo segment_scaling
     for program in "$bin"/bench_*; do
         name=$(basename "$program")
         case $name in
@@ -40,6 +81,9 @@ one() {
     rm -f "$out/$1.csv"
     if [ "$1" = process ]; then
         whole_processes
+    elif [ "$1" = segment_scaling ]; then
+        STIFFAXIS_BENCH_POINTS=$out/$1.csv
+        segment_scaling
     else
         STIFFAXIS_BENCH_POINTS=$out/$1.csv "$bin/bench_$1"
     fi >"$out/$1.txt" 2>&1 || bad=1

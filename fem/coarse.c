@@ -143,9 +143,8 @@ double coarse_bytes(const coarse *c)
     return (double)c->size * (c->band + 1) * sizeof(double);
 }
 
-status coarse_solve(coarse *c, int ncol, const double *r, double *y)
+void coarse_solve(coarse *c, int ncol, const double *r, double *y)
 {
-    status st = OK;
     const size_t block = 3 * (size_t)c->spec.body->plane->nnode * (size_t)ncol;
     const size_t part = (size_t)c->count * (size_t)ncol;
     const int one = 1, room = c->band + 1;
@@ -156,21 +155,22 @@ status coarse_solve(coarse *c, int ncol, const double *r, double *y)
                         y + (size_t)level * part);
     }
     c->spec.door->sum((int)((size_t)c->size * (size_t)ncol), y);
+    // every rank has the factors: columns are shared out
     for (int j = 0; j < ncol; j++) {
+        const bool mine = j % c->spec.size == c->spec.rank;
         for (int i = 0; i < c->size; i++) {
-            c->right[i] = y[(size_t)i * (size_t)ncol + (size_t)j];
+            c->right[i] = mine ? y[(size_t)i * (size_t)ncol + (size_t)j] : 0;
         }
-        dpbtrs_("U", &c->size, &c->band, &one, c->matrix, &room, c->right, &c->size, &info);
+        if (mine) {
+            dpbtrs_("U", &c->size, &c->band, &one, c->matrix, &room, c->right, &c->size, &info);
+        }
         for (int i = 0; i < c->size; i++) {
             y[(size_t)i * (size_t)ncol + (size_t)j] = c->right[i];
         }
     }
-    if (info != 0) {
-        TRY(status_fail(ERR_BUG, "segment: LAPACK refuses the coarse factors, %d", info));
+    if (c->spec.size > 1) {
+        c->spec.door->sum(c->size * ncol, y);
     }
-
-done:
-    return st;
 }
 
 void coarse_add(coarse *c, int ncol, const double *y, double *z)

@@ -12,7 +12,8 @@ typedef struct coarse_spec {
     const body *body;
     const plane_forms *forms;
     const section_modes *modes;
-    apply *product;  // of this rank's layers
+    apply *product; // of this rank's layers
+    int rank, size;
     int first, last; // levels whose rows this rank has
     int first_layer, last_layer;
     bool clamped; // nothing moves at the base
@@ -28,7 +29,7 @@ status coarse_make(const coarse_spec *spec, coarse **out);
 void coarse_free(coarse *c); // NULL is nothing
 
 // (all) y = A^-1 P^T r: [nlevel][modes][ncol], from the fields of the levels that this rank has.
-status coarse_solve(coarse *c, int ncol, const double *r, double *y);
+void coarse_solve(coarse *c, int ncol, const double *r, double *y);
 // z += P y on the levels that this rank has.
 void coarse_add(coarse *c, int ncol, const double *y, double *z);
 

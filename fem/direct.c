@@ -1,12 +1,13 @@
 // fem/direct.c
 // The way by sparse factors of the whole: any body, any supports. docs/theory.md (5.13)
-#include "fem/way.h"
+#include "fem/direct.h"
 
 #include "base/memory.h"
 #include "fem/direct_matrix.h"
 #include "fem/level_forces.h"
 #include "fem/refined_solve.h"
 
+#include <math.h>
 #include <string.h>
 #include <time.h>
 
@@ -18,6 +19,7 @@ static double cpu_seconds(void)
 }
 
 typedef struct direct {
+    bool multigrid; // in place of factors
     const petsc_door *door;
     const segment_problem *p;
     unknowns u;
@@ -228,6 +230,66 @@ done:
     return st;
 }
 
+// --- by multigrid in place of factors
+
+// far above rounding, far below what meshes miss
+static const double STEPS_LIMIT = 1e-8;
+
+static status coarsen(direct *d)
+{
+    status st = OK;
+    double *motions = NULL;
+    TRY(d->door->agree(TAKE(motions, 6 * d->rows)));
+    unknowns_rigid(&d->u, motions);
+    TRY(d->door->matrix_coarsen(d->matrix, motions, &d->factors));
+
+done:
+    free(motions);
+    return st;
+}
+
+// (all) per column
+static void largest(const direct *d, const double *v, double *most)
+{
+    for (size_t c = 0; c < (size_t)d->ncolumn; c++) {
+        most[c] = 0;
+        for (size_t i = 0; i < d->rows; i++) {
+            most[c] = fmax(most[c], fabs(v[c * d->rows + i]));
+        }
+    }
+    d->door->largest(d->ncolumn, most);
+}
+
+static status solve_by_steps(direct *d, way_run *run)
+{
+    status st = OK;
+    double *r = NULL, *most = NULL;
+    const size_t n = (size_t)d->ncolumn;
+    TRY(d->door->agree(TAKE(r, n * d->rows)));
+    TRY(d->door->agree(TAKE(most, 3 * n)));
+    TRY(d->door->matrix_solve(d->matrix, d->ncolumn, d->b, d->x));
+    TRY(residual(d, d->x, r));
+    largest(d, r, most);
+    largest(d, d->x, most + n);
+    largest(d, d->b, most + 2 * n);
+    for (size_t c = 0; c < n; c++) {
+        const double scale = d->factors.norm * most[n + c] + most[2 * n + c];
+        run->residual = scale > 0 ? fmax(run->residual, most[c] / scale) : run->residual;
+    }
+    run->iterations = d->door->matrix_steps(d->matrix);
+    if (!(run->residual <= STEPS_LIMIT)) {
+        TRY(status_fail(ERR_NUMERIC,
+                        "segment: conjugate gradients with multigrid end at a residual of %.2g "
+                        "after %d iterations",
+                        run->residual, run->iterations));
+    }
+
+done:
+    free(r);
+    free(most);
+    return st;
+}
+
 static status solve(direct *d, const way_wants *wants, way_run *run)
 {
     status st = OK;
@@ -240,9 +302,9 @@ static status solve(direct *d, const way_wants *wants, way_run *run)
     if (is_cancelled(wants)) {
         TRY(status_fail(ERR_INTERRUPTED, "interrupted"));
     }
-    TRY(d->door->matrix_factor(d->matrix, &d->factors));
+    TRY(d->multigrid ? coarsen(d) : d->door->matrix_factor(d->matrix, &d->factors));
     const double factored = cpu_seconds();
-    TRY(solve_refined(d, &run->residual));
+    TRY(d->multigrid ? solve_by_steps(d, run) : solve_refined(d, &run->residual));
     TRY(fill(d, wants, run));
     run->dofs = 3 * (long long)d->u.nblock;
     run->assemble_seconds = assembled - begin;
@@ -256,8 +318,13 @@ done:
 
 status way_direct(const segment_problem *p, const way_wants *wants, way_run *out)
 {
+    return direct_solve(p, wants, false, out);
+}
+
+status direct_solve(const segment_problem *p, const way_wants *wants, bool multigrid, way_run *out)
+{
     status st = OK;
-    direct d = {.p = p};
+    direct d = {.p = p, .multigrid = multigrid};
     way_run run = {0};
     TRY(petsc_door_open(&d.door));
     TRY(solve(&d, wants, &run));

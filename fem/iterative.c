@@ -5,6 +5,7 @@
 
 #include "base/memory.h"
 #include "fem/blas.h"
+#include "fem/direct.h"
 #include "fem/level_forces.h"
 
 #include <math.h>
@@ -32,21 +33,10 @@ static void iterative_free(iterative *w)
     free(w->level);
 }
 
-status iterative_check(const segment_problem *p)
+bool iterative_is_plain(const segment_problem *p)
 {
-    const body *b = p->body;
-    if (b->spec.matter) {
-        return status_fail(ERR_INPUT, "fem: the iterative way takes bodies whose layers are all "
-                                      "alike, no stack");
-    }
-    if (b->spec.mixed) {
-        return status_fail(ERR_INPUT, "fem: the iterative way knows no fem.mixed");
-    }
-    if (p->nspring > 0 || p->nhold > 0 || p->base == BASE_FREE) {
-        return status_fail(ERR_INPUT, "fem: the iterative way takes bodies held at their base "
-                                      "alone, no springs or holds");
-    }
-    return OK;
+    const body_spec *s = &p->body->spec;
+    return !s->matter && !s->mixed && p->nspring == 0 && p->nhold == 0 && p->base != BASE_FREE;
 }
 
 // --- right-hand sides
@@ -168,6 +158,8 @@ static status make_corrections(iterative *w)
                               .forms = &w->forms,
                               .modes = &w->modes,
                               .product = w->product,
+                              .rank = s->rank,
+                              .size = s->size,
                               .first = s->first,
                               .last = s->last,
                               .first_layer = s->first_layer,
@@ -287,7 +279,9 @@ status way_iterative(const segment_problem *p, const way_wants *wants, way_run *
                    .cap = p->tip == TIP_RIGID};
     level_loads loads = {0};
     way_run run = {0};
-    TRY(iterative_check(p));
+    if (!iterative_is_plain(p)) {
+        return direct_solve(p, wants, true, out);
+    }
     TRY(petsc_door_open(&w.door));
     TRY(petsc_plane_door_open(&w.plane_door));
     TRY(solve(&w, &loads, wants, &run));

@@ -36,8 +36,9 @@ typedef struct iterative {
     double residual;
 } iterative;
 
-// ERR_INPUT: what this way does not take.
-status iterative_check(const segment_problem *p);
+// Whether it goes without a matrix: layers all alike, held at the base alone. Else the matrix is
+// made, and algebraic multigrid takes the place of what follows (direct.h).
+bool iterative_is_plain(const segment_problem *p);
 
 // (all) f = K u of this rank's own levels; u and f have room for a level more.
 status iterative_product(iterative *w, double *u, double *f);

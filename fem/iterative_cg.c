@@ -81,7 +81,7 @@ static status correct(iterative *w)
         turn(w, false, w->turned);
         r = w->turned;
     }
-    TRY(separable_solve(w->separable, w->ncol, r, w->z));
+    TRY(w->door->agree(separable_solve(w->separable, w->ncol, r, w->z)));
     if (!w->p->body->prism) {
         turn(w, true, w->z);
     }
@@ -89,7 +89,7 @@ static status correct(iterative *w)
     for (size_t i = 0; i < w->own; i++) {
         w->q[i] = w->r[i] - w->q[i];
     }
-    TRY(coarse_solve(w->coarse, w->ncol, w->q, w->y));
+    coarse_solve(w->coarse, w->ncol, w->q, w->y);
     coarse_add(w->coarse, w->ncol, w->y, w->z);
 
 done:
@@ -204,7 +204,7 @@ static status begin(iterative *w, column *columns, double *sums)
 {
     status st = OK;
     memset(w->x, 0, (w->own + w->block) * sizeof *w->x);
-    TRY(coarse_solve(w->coarse, w->ncol, w->b, w->y));
+    coarse_solve(w->coarse, w->ncol, w->b, w->y);
     coarse_add(w->coarse, w->ncol, w->y, w->x);
     dots(w, w->b, w->x, sums);
     for (int k = 0; k < w->ncol; k++) {

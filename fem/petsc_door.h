@@ -54,7 +54,13 @@ typedef struct petsc_door {
     // (all) After the last matrix_add. ERR_NUMERIC: not positive definite; ERR_RESOURCE: no memory.
     status (*matrix_factor)(petsc_matrix *m, petsc_factors *out);
 
-    // (all) x = A^-1 b by the factors; b, x [ncol][3 (last - first)].
+    // (all) The same without factors: conjugate gradients with algebraic multigrid will solve.
+    // motions [6][3 (last - first)]: the rigid ones of the whole body, zero where it is held.
+    status (*matrix_coarsen)(petsc_matrix *m, const double *motions, petsc_factors *out);
+    // Most iterations that a column took so.
+    int (*matrix_steps)(const petsc_matrix *m);
+
+    // (all) x = A^-1 b by the factors, or to 1e-9 without them; b, x [ncol][3 (last - first)].
     status (*matrix_solve)(petsc_matrix *m, int ncol, const double *b, double *x);
 
     void (*matrix_free)(petsc_matrix *m); // (all) NULL is nothing

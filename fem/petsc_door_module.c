@@ -200,6 +200,8 @@ const petsc_door *stiffaxis_petsc_door(void)
                                     .matrix_make = petsc_matrix_make,
                                     .matrix_add = petsc_matrix_add,
                                     .matrix_factor = petsc_matrix_factor,
+                                    .matrix_coarsen = petsc_matrix_coarsen,
+                                    .matrix_steps = petsc_matrix_steps,
                                     .matrix_solve = petsc_matrix_solve,
                                     .matrix_free = petsc_matrix_free};
     return &door;

@@ -8,8 +8,11 @@
 
 enum { PETSC_BLOCK = 3 };
 
+typedef struct petsc_grid petsc_grid; // of petsc_grid_door_module.c
+
 struct petsc_matrix {
     Mat A, factor;
+    petsc_grid *grid; // in place of factors; NULL: none
     int nblock, first, last;
 };
 
@@ -41,3 +44,10 @@ void petsc_matrix_free(petsc_matrix *m);
 // --- petsc_solve_door_module.c
 
 status petsc_matrix_solve(petsc_matrix *m, int ncol, const double *b, double *x);
+
+// --- petsc_grid_door_module.c
+
+status petsc_matrix_coarsen(petsc_matrix *m, const double *motions, petsc_factors *out);
+status petsc_grid_solve(petsc_matrix *m, int ncol, const double *b, double *x);
+int petsc_matrix_steps(const petsc_matrix *m);
+void petsc_grid_free(petsc_grid *g); // NULL is nothing

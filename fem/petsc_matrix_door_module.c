@@ -29,6 +29,7 @@ void petsc_matrix_free(petsc_matrix *m)
     if (!m) {
         return;
     }
+    petsc_grid_free(m->grid);
     (void)MatDestroy(&m->factor);
     (void)MatDestroy(&m->A);
     free(m);

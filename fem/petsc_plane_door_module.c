@@ -106,9 +106,10 @@ static status exchange(const int *nsend, const double *send, const int *nget, do
     status st = OK;
     int size = 1, *at = NULL;
     (void)MPI_Comm_size(PETSC_COMM_WORLD, &size);
-    TRY(TAKE(at, 2 * (size_t)size));
-    TRY(places(size, nsend, at));
-    TRY(places(size, nget, at + size));
+    st = TAKE(at, 2 * (size_t)size);
+    st = st ? st : places(size, nsend, at);
+    st = st ? st : places(size, nget, at + size);
+    TRY(petsc_agree(st));
     (void)MPI_Alltoallv(send, nsend, at, MPI_DOUBLE, get, nget, at + size, MPI_DOUBLE,
                         PETSC_COMM_WORLD);
 

@@ -22,6 +22,9 @@ status petsc_matrix_solve(petsc_matrix *m, int ncol, const double *b, double *x)
     PetscScalar *to = NULL;
     const PetscScalar *from = NULL;
     const size_t all = PETSC_BLOCK * (size_t)(m->last - m->first) * (size_t)ncol;
+    if (m->grid) {
+        return petsc_grid_solve(m, ncol, b, x);
+    }
     TRY(dense_make(m, ncol, &B));
     TRY(dense_make(m, ncol, &X));
     PETSC_TRY(MatDenseGetArrayWrite(B, &to));

@@ -1,7 +1,7 @@
 // fem/plane_forms.h
 // The plane matrices of (5.1) of every element of a body's plane mesh, at the middle of the body:
 // E = int B^T Q B, C = int B^T Q S N, M = int (S N)^T Q S N. Where the sections turn, B has what
-// the turning adds (3.4): then all holds in the axes that turn with them.
+// the turning adds (3.9): then all holds in the axes that turn with them.
 #pragma once
 
 #include "fem/body.h"

@@ -275,20 +275,22 @@ static status solve_kind(separable *s, int which, int ncol, const double *r, dou
     const size_t begin = plane_at(&p, p.from, 0);
     const int own = (int)most_of(s->level, s->rank), modes = (int)most_of(q->first, s->rank);
     double *strips = s->levels, *changed = s->levels + (size_t)s->nlevel * p.strip;
+    status mine = OK; // a rank that fails goes on with what all have to do
 
     to_strips(&p, own, level, r + begin, s->pack);
     TRY(turn_over(&p, s->level, true, s->pack, strips));
     change(&p, true, strips, changed);
     TRY(turn_over(&p, q->first, false, changed, s->pack));
     from_strips(&p, modes, plane, s->pack, s->planes);
-    for (int i = 0; i < modes; i++) {
-        TRY(solve_plane(&p, q->factor[i], s->planes + (size_t)i * plane));
+    for (int i = 0; mine == OK && i < modes; i++) {
+        mine = solve_plane(&p, q->factor[i], s->planes + (size_t)i * plane);
     }
     to_strips(&p, modes, plane, s->planes, s->pack);
     TRY(turn_over(&p, q->first, true, s->pack, changed));
     change(&p, false, changed, strips);
     TRY(turn_over(&p, s->level, false, strips, s->pack));
     from_strips(&p, own, level, s->pack, z + begin);
+    TRY(mine);
 
 done:
     return st;
@@ -298,9 +300,8 @@ status separable_solve(separable *s, int ncol, const double *r, double *z)
 {
     status st = OK;
     for (int k = 0; k < KINDS; k++) {
-        TRY(solve_kind(s, k, ncol, r, z));
+        const status here = solve_kind(s, k, ncol, r, z);
+        st = st ? st : here;
     }
-
-done:
     return st;
 }

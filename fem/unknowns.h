@@ -104,3 +104,7 @@ void unknowns_gather(const unknowns *u, const double *force, double *b);
 // (all) ERR_NUMERIC, with the motion, where springs and holds leave the body free to move as a
 // whole.
 status unknowns_check_supports(const petsc_door *door, const segment_problem *p, const unknowns *u);
+
+// The body's rigid motions, rotations over the radius, at this rank's rows [6][last - first][3];
+// zero where directions are held.
+void unknowns_rigid(const unknowns *u, double *motions);

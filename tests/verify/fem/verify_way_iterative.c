@@ -101,6 +101,74 @@ static void both_ways_agree(const trial *t)
     model_free(&m);
 }
 
+// --- with a matrix: what layers do not share, and what holds a body elsewhere than at its base
+
+typedef struct grid_trial {
+    const char *what;
+    int base, tip, order;
+    bool holes, springs, mixed;
+    double nu;
+} grid_trial;
+
+// layers that turn their stiff sector and leave elements out
+static void make_matter(const polar_segment *s, const mesh *plane, bool holes, int *matter)
+{
+    const int nelem = plane->block[0].nelem;
+    for (int i = 0; i < s->layers * nelem; i++) {
+        const int layer = i / nelem, e = i % nelem;
+        matter[i] = (e + layer) % nelem < 3;
+        matter[i] = holes && layer > 0 && (e + 2 * layer) % 5 == 0 ? -1 : matter[i];
+    }
+}
+
+static void multigrid_agrees(const grid_trial *t)
+{
+    static const face_spring wall = {.on = {.face = FACE_OUTSIDE, .from = 5e-3, .to = 9e-3},
+                                     .stiffness = {2e7, 1e7, 1e7}};
+    static const face_hold end = {.on = {.face = FACE_BASE}, .mask = 1 << 2};
+    const material materials[2] = {{.E = 0.66e6, .nu = t->nu}, {.E = 15.93e6, .nu = 0.3}};
+    polar_segment s = fig4_segment();
+    model m = {0};
+    way_run direct = {0}, iterative = {0};
+    int *matter = NULL;
+    s.order = t->order;
+    s.soft = 24;
+    s.stiff = 4;
+    s.grading = 1;
+    CHECK_OK(polar_mesh(&s, &m.plane));
+    make_layers(&s, m.layer);
+    CHECK_OK(TAKE(matter, (size_t)(s.layers * m.plane.block[0].nelem)));
+    make_matter(&s, &m.plane, t->holes, matter);
+    const body_spec spec = {.plane = &m.plane,
+                            .materials = materials,
+                            .order = s.order,
+                            .nlayer = s.layers,
+                            .layer = m.layer,
+                            .matter = t->mixed ? NULL : matter,
+                            .mixed = t->mixed};
+    CHECK_OK(body_make(&spec, &m.b));
+    m.p = (segment_problem){.body = &m.b, .base = t->base, .tip = t->tip};
+    if (t->springs) {
+        m.p.nspring = m.p.nhold = 1;
+        m.p.spring = &wall;
+        m.p.hold = &end;
+    }
+    const way_wants wants = {.middle = s.length / 2, .middle_half = s.length / 8};
+    CHECK_OK(way_direct(&m.p, &wants, &direct));
+    CHECK_OK(way_iterative(&m.p, &wants, &iterative));
+    const double worst = worst_difference(&iterative, &direct);
+    printf("%-44s %lld dofs, %3d iterations, residual %.1e, from the direct way %.1e\n", t->what,
+           iterative.dofs, iterative.iterations, iterative.residual, worst);
+    CHECK(iterative.dofs == direct.dofs);
+    CHECK_WITHIN(worst, 0, 1e-7); // the steps' tolerance is 1e-9 of a norm that hides soft motions
+    way_run_free(&direct);
+    way_run_free(&iterative);
+    model_free(&m);
+    free(matter);
+}
+
+// --- growth
+
 // the proportions of one body, `across` elements through the wall and as much finer elsewhere
 static int iterations_of(int across, long long *dofs)
 {
@@ -199,6 +267,24 @@ int main(void)
     };
     for (size_t i = 0; i < sizeof trials / sizeof *trials; i++) {
         both_ways_agree(&trials[i]);
+    }
+    static const grid_trial grids[] = {
+        {.what = "stack, cap", .order = 1, .nu = 0.3},
+        {.what = "stack with holes, cap", .order = 1, .nu = 0.3, .holes = true},
+        {.what = "the same, traction",
+         .order = 1,
+         .nu = 0.3,
+         .holes = true,
+         .tip = TIP_E_PROPORTIONAL},
+        {.what = "stack on springs, order 2",
+         .order = 2,
+         .nu = 0.3,
+         .base = BASE_FREE,
+         .springs = true},
+        {.what = "mixed, nu 0.49", .order = 1, .nu = 0.49, .mixed = true},
+    };
+    for (size_t i = 0; i < sizeof grids / sizeof *grids; i++) {
+        multigrid_agrees(&grids[i]);
     }
     iterations_do_not_grow_with_the_mesh();
     grading_does_not_matter();
