@@ -40,8 +40,13 @@ status petsc_fail(PetscErrorCode code, const char *call)
         return status_fail(ERR_RESOURCE, "PETSc: out of memory in %s: " PETSC_SMALLER, call);
     }
     (void)PetscErrorMessage(code, &words, NULL);
-    return status_fail(ERR_BUG, "PETSc: %s (code %d), in %s", words ? words : "no message",
-                       (int)code, call);
+    if (!words) { // not PETSc's own: seen where libraries under it found no memory
+        return status_fail(
+            ERR_RESOURCE,
+            "PETSc: code %d from below it in %s, as for want of memory: " PETSC_SMALLER, (int)code,
+            call);
+    }
+    return status_fail(ERR_BUG, "PETSc: %s (code %d), in %s", words, (int)code, call);
 }
 
 // --- start and end
