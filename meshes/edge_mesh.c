@@ -229,6 +229,10 @@ status edge_mesh_make(const plane_pieces *pieces, const section_outline *o,
     TRY(TAKE(first_of, (size_t)sides->edges.nedge));
     TRY(find_first(pieces, o, &sides->edges, options, first_of));
     TRY(edge_pieces_make(pieces, sides, first_of, &cut));
+    if (cut.npiece > SECTION_MOST_ELEMENTS) {
+        TRY(status_fail(ERR_INPUT, "mesh: its edge layers ask for more than %d elements",
+                        SECTION_MOST_ELEMENTS));
+    }
     TRY(make_nodes(&w, o, owner));
     *out = w.m;
     w.m = (mesh){0};

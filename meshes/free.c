@@ -181,6 +181,7 @@ status free_mesh_make(const section_outline *o, const mesh_options *options, mes
     status st = OK;
     attempt a = {.nbad = 1};
     const bool layered = options->edge_layers > 0;
+    double (*shrink)(const mesh_options *, corner) = layered ? sizing_edge_shrink : sizing_shrink;
     plane_request request = {
         .check = plane_check,
         .drawn = o,
@@ -188,8 +189,8 @@ status free_mesh_make(const section_outline *o, const mesh_options *options, mes
         .size_at = plane_size_at,
         .length = (layered ? sizing_edge_length : sizing_length)(options, o->size) / o->size,
         .angle = (layered ? sizing_edge_angle : sizing_angle)(options),
-        .towards_corners = options->size > 0 || layered ? NULL : o,
-        .shrink = {1, sizing_shrink(options, CORNER_WEAK), sizing_shrink(options, CORNER_STRONG)}};
+        .towards_corners = options->size > 0 ? NULL : o,
+        .shrink = {1, shrink(options, CORNER_WEAK), shrink(options, CORNER_STRONG)}};
 
     TRY(section_check_thickness(o));
     TRY(plane_shapes_make(o, &request));

@@ -71,6 +71,16 @@ double sizing_edge_angle(const mesh_options *options)
     return edge_arc_angle[options->order] / sizing_finer(options);
 }
 
+// Triangles are halved at corners, and with thinner layers become as small as these are next to
+// strong ones: torsion and shear are singular there all along the body. Over the first layer:
+static const double AT_STRONG_CORNER = 10, AT_WEAK_CORNER = 100;
+
+double sizing_edge_shrink(const mesh_options *options, corner c)
+{
+    const double first = sizing_edge_first(options, 1, 1);
+    return c == CORNER_WEAK ? fmin(2, AT_WEAK_CORNER * first) : fmin(1, AT_STRONG_CORNER * first);
+}
+
 double sizing_parts(double length, double target)
 {
     return fmax(1, ceil(length / target - ROUNDING));

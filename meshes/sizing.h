@@ -39,6 +39,8 @@ double sizing_shrink(const mesh_options *options, corner c);
 double sizing_edge_first(const mesh_options *options, double section_size, double thinnest);
 double sizing_edge_length(const mesh_options *options, double section_size);
 double sizing_edge_angle(const mesh_options *options);
+// As sizing_shrink, of triangles.
+double sizing_edge_shrink(const mesh_options *options, corner c);
 
 // How many equal parts of at most `target` make up `length`; at least one. Rounding does not add a
 // part.

@@ -227,7 +227,7 @@ static void first_layers_of_triangles_are_as_thick_as_asked_for(void)
     for (int k = 0; k < 4; k++) {
         const double first = 0.01 * pow(4, -k); // of a radius of 5
         const mesh_options options = {
-            .kind = MESH_FREE, .order = 2, .edge_layers = 1, .edge_first = first};
+            .kind = MESH_FREE, .order = 2, .size = 2, .edge_layers = 1, .edge_first = first};
         mesh m = {0};
         CHECK_OK(layered(1, &plate, &options, &m));
         part = k ? part : shortest_edge(&m) / (5 * first);
