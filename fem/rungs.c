@@ -120,26 +120,30 @@ done:
 static const double ORDER_LEFT[RUNG_COUNT] = {1, 0.6, 0.45, 0.4, 0, 0};
 static const double LAYER_LEFT = 1.5;
 
+// a tip's tractions jump at interfaces: its shear and torsion wait for thin elements there
+static const double TRACTION_LEFT = 2.0 / 3;
+
 // no rung leaves more of an error in a sequence that converges
 static const double SLOWEST = 0.75;
 
-double segment_rung_left(int rung, double nu)
+double segment_rung_left(int rung, double nu, int tip)
 {
     const double layer = LAYER_LEFT * pow(GROWTH, -2 * corner_strength(nu));
-    return ORDER_LEFT[rung] > 0 ? ORDER_LEFT[rung] : layer;
+    const double held = ORDER_LEFT[rung] > 0 ? ORDER_LEFT[rung] : layer;
+    return tip == TIP_RIGID ? held : fmax(held, TRACTION_LEFT);
 }
 
 // e_k = left e_(k-1) and v_k - v_(k-1) = e_(k-1) - e_k
-double segment_rung_factor(int rung, double nu)
+double segment_rung_factor(int rung, double nu, int tip)
 {
-    const double left = segment_rung_left(rung, nu);
+    const double left = segment_rung_left(rung, nu, tip);
     return left / (1 - left);
 }
 
-double segment_rung_error(int rung, double nu, int n, const double *value)
+double segment_rung_error(int rung, double nu, int tip, int n, const double *value)
 {
     const double last = fabs(value[n - 1] - value[n - 2]);
-    double factor = segment_rung_factor(rung, nu);
+    double factor = segment_rung_factor(rung, nu, tip);
     if (n > 2) {
         // slower than expected: as slow from now on, but for what three values cannot tell
         const double before = fabs(value[n - 2] - value[n - 3]);

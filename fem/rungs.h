@@ -31,10 +31,11 @@ typedef struct rung_body {
 status segment_rung_layers(const segment_rung *r, const rung_body *b, int *nlayer, double **layer);
 
 // What part of the error of the rung below is expected to be left on a rung >= 1, for Poisson's
-// ratio nu. And what the difference from the rung below is to be multiplied by for the error.
-double segment_rung_left(int rung, double nu);
-double segment_rung_factor(int rung, double nu);
+// ratio nu and a kind of tip. And what the difference from the rung below is to be multiplied by
+// for the error.
+double segment_rung_left(int rung, double nu, int tip);
+double segment_rung_factor(int rung, double nu, int tip);
 
 // Estimate of the error of value[n - 1], on a rung, from the values of the n = 2 or 3 rungs up to
 // it.
-double segment_rung_error(int rung, double nu, int n, const double *value);
+double segment_rung_error(int rung, double nu, int tip, int n, const double *value);

@@ -122,5 +122,5 @@ done:
 
 double segment_plan_factor(const segment_case *c, const segment_source *source, int rung)
 {
-    return is_given(c) ? 1 : segment_rung_factor(rung, source->nu);
+    return is_given(c) ? 1 : segment_rung_factor(rung, source->nu, c->tip);
 }

@@ -76,13 +76,13 @@ static void estimates_hold_for_geometric_sequences(void)
 {
     for (int k = 2; k < RUNG_COUNT; k++) {
         for (double nu = 0; nu <= 0.5; nu += 0.1) {
-            const double left = segment_rung_left(k, nu);
+            const double left = segment_rung_left(k, nu, TIP_RIGID);
             CHECK(left > 0 && left <= 0.6);
             for (double part = left / 8; part < 0.75; part *= 1.5) {
                 const double error[3] = {1e-3, 1e-3 * part, 1e-3 * part * part};
                 const double value[3] = {2 - error[0], 2 - error[1], 2 - error[2]};
-                const double two = segment_rung_error(k, nu, 2, value + 1);
-                const double three = segment_rung_error(k, nu, 3, value);
+                const double two = segment_rung_error(k, nu, TIP_RIGID, 2, value + 1);
+                const double three = segment_rung_error(k, nu, TIP_RIGID, 3, value);
                 CHECK(three >= 0.999 * error[2]); // three tell when it falls slowly
                 CHECK(part > left || two >= 0.999 * error[2]);
                 CHECK(part < left / 4 || two < 10 * error[2]);
@@ -91,13 +91,21 @@ static void estimates_hold_for_geometric_sequences(void)
     }
 }
 
+static void tractions_are_trusted_less(void)
+{
+    for (int k = 1; k < RUNG_COUNT; k++) {
+        CHECK_NEAR(segment_rung_factor(k, 0.3, TIP_E_PROPORTIONAL), 2, 1e-12);
+        CHECK(segment_rung_factor(k, 0.3, TIP_RIGID) < 2);
+    }
+}
+
 // the weaker the singularity, the more one layer helps
 static void strength_decides_what_a_layer_leaves(void)
 {
     const int last = RUNG_COUNT - 1;
-    CHECK(segment_rung_left(last, 0.1) < segment_rung_left(last, 0.3));
-    CHECK(segment_rung_left(last, 0.3) < segment_rung_left(last, 0.49));
-    CHECK_NEAR(segment_rung_left(last, 0.2) / segment_rung_left(last, 0.4),
+    CHECK(segment_rung_left(last, 0.1, TIP_RIGID) < segment_rung_left(last, 0.3, TIP_RIGID));
+    CHECK(segment_rung_left(last, 0.3, TIP_RIGID) < segment_rung_left(last, 0.49, TIP_RIGID));
+    CHECK_NEAR(segment_rung_left(last, 0.2, TIP_RIGID) / segment_rung_left(last, 0.4, TIP_RIGID),
                pow(5, 2 * (corner_strength(0.4) - corner_strength(0.2))), 1e-12);
 }
 
@@ -108,5 +116,6 @@ int main(void)
     held_ends_are_alike();
     estimates_hold_for_geometric_sequences();
     strength_decides_what_a_layer_leaves();
+    tractions_are_trusted_less();
     return test_failures != 0;
 }

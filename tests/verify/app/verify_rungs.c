@@ -104,8 +104,9 @@ static void rungs_leave_what_they_are_made_for(const double *value, int n, doubl
 {
     for (int k = 1; k < n; k++) {
         const double error = fabs(value[k] / exact - 1);
-        const double told =
-            segment_rung_error(k, RUBBER.nu, k > 1 ? 3 : 2, value + (k > 1 ? k - 2 : 0)) / exact;
+        const double told = segment_rung_error(k, RUBBER.nu, TIP_RIGID, k > 1 ? 3 : 2,
+                                               value + (k > 1 ? k - 2 : 0)) /
+                            exact;
         printf("rung %d: off by %.1e, estimate %.1e\n", k, error, told);
         CHECK(value[k] < exact);
         CHECK(told >= error && told < 10 * error);
