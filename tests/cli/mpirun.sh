@@ -46,4 +46,33 @@ expect 0 mpirun $root --oversubscribe -n 2 "$program" fem "$case" --out "$work/t
 # every rank takes part in a comparison; one speaks
 expect 0 timeout 120 mpirun $root --oversubscribe -n 2 "$program" compare "$case"
 [ "$(grep -c '^tolerances' "$work/out")" -eq 1 ] || fail 'more than one process speaks'
+
+# fields that ranks share out become the file that one process writes
+shared=$(dirname "$program")/test_shared_store
+for ranks in 2 3; do
+    [ ! -x "$shared" ] || expect 0 timeout 120 mpirun $root --oversubscribe -n $ranks "$shared"
+done
+small="--set fem.method=direct --set fem.order=2 --set fem.layers=6 --set fem.stress=true"
+expect 0 timeout 120 mpirun $root --oversubscribe -n 2 "$program" fem "$case" $small --out "$work/both"
+[ -s "$work/both/result.hdf" ] || fail 'two ranks wrote nothing'
+[ ! -e "$work/both/segment.svg" ] || fail 'one rank has all fields: nothing was shared'
+expect 0 "$program" report "$work/both"
+[ -s "$work/both-report/segment.svg" ] && [ -s "$work/both-report/segment_stress.svg" ] || fail 'the shared fields are not all there'
+# a disk that is full: one line from a rank, and nothing is left
+expect 5 timeout 120 mpirun $root --oversubscribe -n 2 sh -c \
+    "trap '' XFSZ; ulimit -f 1000; exec '$program' fem '$case' $small --out '$work/full'"
+err 'cannot write'
+[ -z "$(ls "$work" | grep full)" ] || fail 'a full disk leaves something behind'
+# a rank that is killed takes the others with it; there is a whole result, or none
+timeout 120 mpirun $root --oversubscribe -n 2 "$program" fem "$case" --set fem.method=direct --set fem.layers=40 --out "$work/killed" \
+    >"$work/out" 2>&1 &
+run=$!
+sleep 2
+ranks=$(ps -e -o pid= -o ppid= | awk -v top=$run '$2 == top { mpirun[$1] } { parent[$1] = $2 }
+    END { for (p in parent) if (parent[p] in mpirun) print p }')
+victim=${ranks%%[!0-9]*}
+[ -z "$victim" ] || kill -9 "$victim" 2>/dev/null
+wait $run
+[ ! -e "$work/killed" ] || expect 0 "$program" report "$work/killed"
 finish
+
