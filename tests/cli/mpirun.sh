@@ -75,4 +75,3 @@ victim=${ranks%%[!0-9]*}
 wait $run
 [ ! -e "$work/killed" ] || expect 0 "$program" report "$work/killed"
 finish
-
