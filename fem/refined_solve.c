@@ -78,10 +78,11 @@ static status refine(const refinement *f, double *moved)
         *moved = change(f);
         rate = step == 0 ? *moved : rate;
         if (!(rate <= CHANGE_LIMIT)) {
-            TRY(status_fail(ERR_NUMERIC,
-                            "segment: the supports or the joints between its parts leave the body "
-                            "free to move (solutions uncertain by %.1g)",
-                            rate));
+            TRY(status_fail(
+                ERR_NUMERIC,
+                "segment: singular to rounding (solutions uncertain by %.1g): supports or "
+                "joints leave parts free to move, or stiffnesses lie too far apart",
+                rate));
         }
         for (size_t i = 0; i < f->s->n * (size_t)f->s->ncol; i++) {
             f->x[i] += f->d[i];
