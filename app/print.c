@@ -89,8 +89,12 @@ static void print_effort(const segment_result *fem)
            fem->relative_error, fem->middle.relative_error, fem->residual);
 }
 
+// nothing where the section changes along the body
 static void print_ends(const segment_result *fem)
 {
+    if (isnan(fem->end_length[NZ])) {
+        return;
+    }
     printf(
         "length that both ends take, mm: shear %.4g %.4g, stretch %.4g, bending %.4g %.4g, twist "
         "%.4g\n",

@@ -197,14 +197,14 @@ static status draw(canvas *c, const void *data)
     return OK;
 }
 
-// a prism's nodes stand above each other
+// a prism's nodes stand above each other, on all levels: whole turns end where they began
 static bool is_prism(const run_result *r)
 {
     const segment_body *b = &r->segment.body;
-    const size_t n = (size_t)b->plane.nnode, top = (size_t)(b->nlevel - 1) * n;
+    const size_t n = 3 * (size_t)b->plane.nnode;
     double away = 0;
-    for (size_t i = 0; i < 3 * n; i++) {
-        away = i % 3 == 2 ? away : fmax(away, fabs(b->node[3 * top + i] - b->node[i]));
+    for (size_t i = n; i < n * (size_t)b->nlevel; i++) {
+        away = i % 3 == 2 ? away : fmax(away, fabs(b->node[i] - b->node[i % n]));
     }
     return away <= 1e-9 * r->segment_length;
 }
