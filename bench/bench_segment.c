@@ -13,7 +13,7 @@
 #include <unistd.h>
 
 // tip motion under a unit E-proportional load through the stiffness centre, clamped, nu 0.3 [m/N]
-static const double REFERENCE = 0.682003e-3;
+static const double REFERENCE = 0.6820060e-3; // bench_segment_reference
 
 enum { RUNS = 5, MOST_PATH = 4096, MOST_LAYERS = 64 };
 // runs longer than this are not repeated [s]
