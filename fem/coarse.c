@@ -3,6 +3,7 @@
 
 #include "base/memory.h"
 #include "fem/blas.h"
+#include "fem/mesh_axes.h"
 
 #include <string.h>
 
@@ -58,7 +59,7 @@ void coarse_restrict(coarse *c, int level, int ncol, const double *r, double *y)
     const int n3 = 3 * b->plane->nnode;
     const double *turned = r;
     if (!b->prism) {
-        turn_axes(mat3_transpose(body_axes(b, level)), (size_t)b->plane->nnode * (size_t)ncol, r,
+        turn_axes(mat3_transpose(mesh_axes(b, level)), (size_t)b->plane->nnode * (size_t)ncol, r,
                   c->turned);
         turned = c->turned;
     }
@@ -84,7 +85,7 @@ void coarse_prolong(coarse *c, int level, int ncol, const double *y, double *z)
     dgemm_("N", "N", &ncol, &n3, &m->count, &one, c->active + COARSE_RIGID * ncol, &ncol, m->value,
            &m->count, &before, to, &ncol);
     if (!b->prism) {
-        turn_axes(body_axes(b, level), run, c->turned, c->added);
+        turn_axes(mesh_axes(b, level), run, c->turned, c->added);
         for (size_t i = 0; i < 3 * run; i++) {
             z[i] += c->added[i];
         }

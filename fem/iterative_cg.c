@@ -4,6 +4,7 @@
 #include "fem/iterative.h"
 
 #include "base/memory.h"
+#include "fem/mesh_axes.h"
 
 #include <math.h>
 #include <string.h>
@@ -58,7 +59,7 @@ static void turn(const iterative *w, bool back, double *u)
 {
     const size_t run = w->block / 3;
     for (int level = w->share.first; level < w->share.last; level++) {
-        const mat3 axes = body_axes(w->p->body, level);
+        const mat3 axes = mesh_axes(w->p->body, level);
         const mat3 R = back ? axes : mat3_transpose(axes);
         double *at = u + (size_t)(level - w->share.first) * w->block;
         for (size_t i = 0; i < run; i++) {

@@ -7,7 +7,9 @@
 static const double SECONDS_PER_FLOP = 8e-11, SECONDS_PER_VALUE = 4e-8, SECONDS_PER_UNKNOWN = 2e-6;
 // fields of the conjugate gradients and of what is exchanged; factors of planes
 static const double FIELDS = 12, FACTOR_BYTES = 400;
-enum { TYPICAL_ITERATIONS = 24, PRODUCTS = 2 };
+enum { PRISM_ITERATIONS = 24, MAPPED_ITERATIONS = 45, PRODUCTS = 2, COARSE_MODES = 66 };
+// what points cost more where each has a place of its own
+static const double MAPPED = 1.6;
 
 // The same with a matrix and algebraic multigrid: half a dozen products a step, grids made once
 static const double SECONDS_PER_ENTRY = 8e-9, BYTES_PER_ENTRY = 40;
@@ -53,10 +55,13 @@ way_cost way_cost_iterative(const segment_problem *p, int nrank)
     if (!iterative_is_plain(p)) {
         return with_matrix(p, share);
     }
-    const double each =
-        PRODUCTS * SECONDS_PER_FLOP * product_flops(b) + SECONDS_PER_VALUE * unknowns;
-    return (way_cost){
-        .possible = true,
-        .seconds = share * (SECONDS_PER_UNKNOWN * unknowns + TYPICAL_ITERATIONS * columns * each),
-        .bytes = share * unknowns * (sizeof(double) * FIELDS * columns + FACTOR_BYTES)};
+    const double product = SECONDS_PER_FLOP * product_flops(b) * (b->prism ? 1 : MAPPED);
+    const double each = PRODUCTS * product + SECONDS_PER_VALUE * unknowns;
+    const double steps = columns * (b->prism ? PRISM_ITERATIONS : MAPPED_ITERATIONS);
+    // the coarse space of a body that is no prism takes products of its own
+    const double coarse = b->prism ? 0 : COARSE_MODES * (b->order + 1) * product;
+    return (way_cost){.possible = true,
+                      .seconds = share * (SECONDS_PER_UNKNOWN * unknowns + coarse + steps * each),
+                      .bytes =
+                          share * unknowns * (sizeof(double) * FIELDS * columns + FACTOR_BYTES)};
 }

@@ -4,6 +4,7 @@
 #include "base/memory.h"
 #include "fem/blas.h"
 #include "fem/brick_law.h"
+#include "fem/mesh_axes.h"
 
 #include <math.h>
 #include <string.h>
@@ -24,11 +25,23 @@ static const mesh_block *element_of(const mesh *plane, size_t number, int *e)
 
 // --- what turning adds
 
-// turns per length of the sections about their own normal, in the middle of the body
+// axes that turn with the mesh at s
+static status axes_at(const body *b, double s, double *xyz, mat3 *axes)
+{
+    status st = OK;
+    double origin[3];
+    TRY(b->spec.shape.place(b->spec.shape.self, s, xyz, axes, origin));
+    *axes = mat3_mul(*axes, mat3_rot_z(mesh_angle(b->plane, xyz, *axes, origin)));
+
+done:
+    return st;
+}
+
+// turns per length of the mesh about the sections' normal, in the middle of the body
 static status turn_rate(const body *b, double *rate)
 {
     status st = OK;
-    double *xyz = NULL, origin[3];
+    double *xyz = NULL;
     mat3 below, above;
     const double step = 1e-3 * b->length, middle = b->level[0] + b->length / 2;
     *rate = b->spec.turn_rate;
@@ -36,8 +49,8 @@ static status turn_rate(const body *b, double *rate)
         return OK;
     }
     TRY(TAKE(xyz, 3 * (size_t)b->plane->nnode));
-    TRY(b->spec.shape.place(b->spec.shape.self, middle, xyz, &below, origin));
-    TRY(b->spec.shape.place(b->spec.shape.self, middle + step, xyz, &above, origin));
+    TRY(axes_at(b, middle, xyz, &below));
+    TRY(axes_at(b, middle + step, xyz, &above));
     const mat3 R = mat3_mul(mat3_transpose(below), above);
     *rate = atan2(R.a[1][0] - R.a[0][1], R.a[0][0] + R.a[1][1]) / step;
 
