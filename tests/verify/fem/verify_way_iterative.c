@@ -58,13 +58,15 @@ static void model_make(const polar_segment *s, const trial *t, const material *m
         spec.shape = (body_shape){.self = &m->how, .place = t->winds ? winding_place : bar_place};
     }
     CHECK_OK(body_make(&spec, &m->b));
-    m->p = (segment_problem){.body = &m->b, .base = t->base, .tip = t->tip};
+    static const load_column weight = {.body_force = {3e3, -2e3, 1e4}};
+    m->p = (segment_problem){
+        .body = &m->b, .base = t->base, .tip = t->tip, .nextra = 1, .extra = &weight};
 }
 
 static double worst_difference(const way_run *a, const way_run *b)
 {
     double worst = 0;
-    const int top = a->nlevel - 1;
+    const int top = a->nlevel - 1, n = a->ncolumn;
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < 6; j++) {
             const double scale =
@@ -74,9 +76,15 @@ static double worst_difference(const way_run *a, const way_run *b)
                                     scale);
             worst = fmax(worst, fabs(a->energy.a[i][j] - b->energy.a[i][j]) /
                                     sqrt(b->energy.a[i][i] * b->energy.a[j][j]));
-            worst = fmax(worst, fabs(a->work[6 * i + j] - b->work[6 * i + j]) /
-                                    sqrt(b->work[7 * i] * b->work[7 * j]));
+            worst = fmax(worst, fabs(a->work[n * i + j] - b->work[n * i + j]) /
+                                    sqrt(b->work[n * i + i] * b->work[n * j + j]));
         }
+    }
+    // what comes beside the unit wrenches, against its own size
+    for (int k = 6 * a->nlevel; k < n * a->nlevel; k++) {
+        const vec6 own = b->motion[(k / a->nlevel + 1) * a->nlevel - 1];
+        const vec6 off = vec6_sub(a->motion[k], b->motion[k]);
+        worst = fmax(worst, sqrt(vec6_dot(off, off) / vec6_dot(own, own)));
     }
     return worst;
 }
