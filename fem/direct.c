@@ -183,9 +183,24 @@ done:
     return st;
 }
 
+// Refuses before hours and the machine's memory are spent on what cannot end well.
+static status check_room(const direct *d, int size)
+{
+    const way_cost cost = way_cost_direct(d->p, size);
+    if (cost.bytes * size > d->door->memory()) {
+        return status_fail(ERR_RESOURCE,
+                           "segment: the factors of %.3g million unknowns would take about %.3g "
+                           "GB, more memory than there is: take fewer fem.layers, a lower "
+                           "fem.order, a larger fem.size_mm or another fem.method",
+                           3e-6 * (double)body_node_count(d->p->body), 1e-9 * cost.bytes * size);
+    }
+    return OK;
+}
+
 static status prepare(direct *d, const level_share *share)
 {
     status st = OK;
+    TRY(d->door->agree(check_room(d, share->size)));
     TRY(d->door->agree(unknowns_make(d->p, *share, &d->u)));
     TRY(unknowns_check_supports(d->door, d->p, &d->u));
     d->ncolumn = problem_columns(d->p);

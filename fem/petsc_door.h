@@ -33,6 +33,8 @@ typedef struct petsc_door {
     // too. ERR_EXTERNAL conditions come as ERR_RESOURCE or ERR_BUG with the library's words.
     status (*start)(int *rank, int *size);
 
+    double (*memory)(void); // left in the machine, or to this process [byte]
+
     // (all) What one rank failed at, all fail at: ends a stretch in which ranks work alone.
     status (*agree)(status mine);
     // (all) Sums and maxima over the ranks, in place, the same on all of them.

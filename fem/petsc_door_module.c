@@ -121,10 +121,27 @@ done:
     return st;
 }
 
-// memory of the machine, or of what the process may have of it [byte]
+// what others have left of the machine's memory: a kernel without any kills instead of refusing
+static double memory_left(void)
+{
+    double all = (double)sysconf(_SC_PHYS_PAGES) * (double)sysconf(_SC_PAGESIZE), kilobytes = 0;
+    char line[128];
+    FILE *file = fopen("/proc/meminfo", "r");
+    while (file && fgets(line, sizeof line, file)) {
+        if (sscanf(line, "MemAvailable: %lf", &kilobytes) == 1 && 1024 * kilobytes < all) {
+            all = 1024 * kilobytes;
+        }
+    }
+    if (file) {
+        (void)fclose(file);
+    }
+    return all;
+}
+
+// memory left, or what the process may have of it [byte]
 double petsc_machine_memory(void)
 {
-    double limit = (double)sysconf(_SC_PHYS_PAGES) * (double)sysconf(_SC_PAGESIZE), group = 0;
+    double limit = memory_left(), group = 0;
     struct rlimit room;
     if (getrlimit(RLIMIT_AS, &room) == 0 && room.rlim_cur != RLIM_INFINITY) {
         limit = (double)room.rlim_cur < limit ? (double)room.rlim_cur : limit;
@@ -197,6 +214,7 @@ const petsc_door *stiffaxis_petsc_door(void);
 const petsc_door *stiffaxis_petsc_door(void)
 {
     static const petsc_door door = {.start = start,
+                                    .memory = petsc_machine_memory,
                                     .agree = petsc_agree,
                                     .sum = sum,
                                     .largest = largest,

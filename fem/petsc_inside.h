@@ -32,7 +32,7 @@ status petsc_fail(PetscErrorCode code, const char *call);
 // --- petsc_door_module.c
 
 status petsc_agree(status mine);   // petsc_door.agree
-double petsc_machine_memory(void); // of the machine, or what the process may have of it [byte]
+double petsc_machine_memory(void); // left in the machine, or to this process [byte]
 
 // --- petsc_matrix_door_module.c
 

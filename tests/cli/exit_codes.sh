@@ -94,7 +94,7 @@ err 'warning: the segment is 0.5 radii long'
 out '1 material, 1 shape, rod of 120 mm with 1 tendon, 3 solutions'
 
 # 5: more than memory holds
-expect 5 "$program" fem "$cases/fig4.yaml" --set fem.layers=10000 --set fem.method=direct
+expect 5 "$program" fem "$cases/fig4.yaml" --set fem.layers=10000 --set fem.order=4 --set fem.method=direct
 err 'fewer fem.layers'
 one_line
 
