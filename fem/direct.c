@@ -163,11 +163,6 @@ done:
 
 // --- the whole
 
-static bool is_cancelled(const way_wants *wants)
-{
-    return wants->cancelled && wants->cancelled();
-}
-
 static status take_room(direct *d)
 {
     status st = OK;
@@ -314,7 +309,7 @@ static status solve(direct *d, const way_wants *wants, way_run *run)
     const double begin = cpu_seconds();
     TRY(prepare(d, &share));
     const double assembled = cpu_seconds();
-    if (is_cancelled(wants)) {
+    if (wants->cancelled && wants->cancelled()) {
         TRY(status_fail(ERR_INTERRUPTED, "interrupted"));
     }
     TRY(d->multigrid ? coarsen(d) : d->door->matrix_factor(d->matrix, &d->factors));
