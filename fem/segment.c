@@ -153,14 +153,42 @@ done:
 
 // --- the climb
 
-static status check_tolerance(const segment_case *c, const segment_result *r)
+static double length_of(const double *v)
 {
-    const double error = fmax(r->relative_error, r->middle.relative_error);
-    if (c->tolerance > 0 && !(error <= c->tolerance)) {
+    return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+}
+
+// of a load's work and of what its tip does, rotations by the radius
+static double load_error(const segment_load_result *l, double radius)
+{
+    const double motion = length_of(l->tip_displacement) + radius * length_of(l->tip_rotation);
+    const double off = l->tip_displacement_error + radius * l->tip_rotation_error;
+    return fmax(l->strain_energy_error / fabs(l->strain_energy), off / motion);
+}
+
+// what a tolerance is about: the case's loads, else the compliance for all; and the middle's law
+static double judged_error(const segment_result *r, double radius)
+{
+    double error = r->nload > 0 ? 0 : r->relative_error;
+    for (int i = 0; i < r->nload; i++) {
+        error = fmax(error, load_error(&r->load[i], radius));
+    }
+    return fmax(error, r->middle.relative_error);
+}
+
+static bool is_enough(const climb *k, const segment_result *r)
+{
+    return k->c->tolerance > 0 && r->rungs > 1 &&
+           judged_error(r, k->source->radius) <= k->c->tolerance;
+}
+
+static status check_tolerance(const climb *k, const segment_result *r)
+{
+    if (k->c->tolerance > 0 && !is_enough(k, r)) {
         return status_fail(ERR_NUMERIC,
-                           "segment: compliance and law are met to %.1e, not to the tolerance of "
-                           "%.1e, with %lld unknowns on the last of %d meshes",
-                           error, c->tolerance, r->dofs, r->rungs);
+                           "segment: loads and law are met to %.1e, not to the tolerance of %.1e, "
+                           "with %lld unknowns on the last of %d meshes",
+                           judged_error(r, k->source->radius), k->c->tolerance, r->dofs, r->rungs);
     }
     return OK;
 }
@@ -171,12 +199,6 @@ static void tell_plan(const rung *r, int rungs, segment_result *out)
     out->order = r->plan.order;
     out->layers = r->plan.nlayer;
     out->rungs = rungs;
-}
-
-static bool is_enough(const segment_case *c, const segment_result *r)
-{
-    return c->tolerance > 0 && r->relative_error <= c->tolerance &&
-           r->middle.relative_error <= c->tolerance;
 }
 
 // time of the rungs below counts too
@@ -193,9 +215,9 @@ static status climb_rung(const climb *k, int number, bool first, bool fields, se
     status st = OK;
     rung at = {0};
     segment_result now = {0};
-    now.relative_error = now.middle.relative_error = 1;
     TRY(rung_make(k, number, &at));
     TRY(solve_rung(k, &at, fields, &now));
+    now.relative_error = now.middle.relative_error = 1; // one mesh alone tells nothing
     tell_plan(&at, first ? 1 : r->rungs + 1, &now);
     if (!first) {
         after_errors(r, segment_plan_factor(k->c, k->source, number), &now);
@@ -224,12 +246,12 @@ status segment_solve(const segment_case *c, const segment_source *source, const 
         const bool first = i == steps.first, last = i == steps.last;
         // the first is there for the estimate only
         TRY(climb_rung(&k, i, first, keep_fields && (!first || last), &r));
-        if (is_enough(c, &r)) {
+        if (is_enough(&k, &r)) {
             break;
         }
     }
     r.met = c->tolerance > 0;
-    TRY(check_tolerance(c, &r));
+    TRY(check_tolerance(&k, &r));
     *out = r;
     r = (segment_result){0};
 

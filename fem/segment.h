@@ -77,7 +77,8 @@ typedef struct segment_case {
     double section_at; // arclength of the rod's section at the base [m]
     int course;        // segment_course: follows the section along the rod, or keeps it
     int way;           // segment_way
-    double tolerance;  // of the tip compliance and the middle's law, relative; 0: the mesh as it is
+    double tolerance;  // of each load's work and tip motion and of the middle's law, relative; 0:
+                       // the mesh as it is
     int mixed;         // segment_mixed; MIXED_AUTO: by Poisson's ratio
     segment_tip_spring tip_spring; // there where its mark is given
     key_list loads;                // of segment_load

@@ -58,7 +58,7 @@ done:
 // --- the ladder
 
 // the estimates that rungs usually end with, on Fig. 4's segment: where a climb begins
-static const double USUAL_ESTIMATE[RUNG_COUNT] = {1, 3e-3, 5e-5, 1e-5, 2e-6, 3e-7};
+static const double USUAL_ESTIMATE[RUNG_COUNT] = {1, 2e-4, 4e-5, 1.5e-5, 4e-6, 1e-6};
 
 static int likely_rung(double tolerance)
 {
