@@ -85,8 +85,11 @@ static void print_effort(const segment_result *fem)
            fem->rungs, fem->rungs == 1 ? "" : "es",
            fem->assemble_seconds + fem->factor_seconds + fem->solve_seconds,
            fem->why[0] ? "; " : "", fem->why);
-    printf("estimated error of the tip compliance %.1e, of the middle's law %.1e; residual %.1e\n",
-           fem->relative_error, fem->middle.relative_error, fem->residual);
+    printf("estimated error of the tip compliance %.1e", fem->relative_error);
+    if (isfinite(fem->middle.relative_error)) {
+        printf(", of the middle's law %.1e", fem->middle.relative_error);
+    }
+    printf("; residual %.1e\n", fem->residual);
 }
 
 // nothing where the section changes along the body
@@ -110,9 +113,12 @@ void print_segment(const run_result *r)
     printf("3D segment: %.4g mm, base %s, tip %s, %lld unknowns\n", 1e3 * r->segment_length,
            bases[(unsigned)r->segment_base % 3], tips[(unsigned)r->segment_tip % 4], fem->dofs);
     print_effort(fem);
-    printf("centre found by FEM: x = %.4f mm, y = %.4f mm\n",
-           print_shown(1e3 * fem->stiffness_centre[0], 1e-4),
-           print_shown(1e3 * fem->stiffness_centre[1], 1e-4));
+    const bool law = isfinite(fem->middle.K.a[NZ][NZ]); // not where walls are held
+    if (law) {
+        printf("centre found by FEM: x = %.4f mm, y = %.4f mm\n",
+               print_shown(1e3 * fem->stiffness_centre[0], 1e-4),
+               print_shown(1e3 * fem->stiffness_centre[1], 1e-4));
+    }
     printf("%-24s %17s %12s %10s %21s %12s\n", "load", "at x, y mm", "shortening", "tip angle",
            "mid curvature x, y", "energy");
     printf("%-24s %17s %12s %10s %21s %12s\n", "", "", "mm", "deg", "1/m", "mJ");
@@ -125,8 +131,12 @@ void print_segment(const run_result *r)
                1e3 * load->strain_energy);
     }
     print_ends(fem);
-    print_stiffness("stiffness of the middle, about the geometric centre [N, N mm, N mm^2]",
-                    &fem->middle.K);
+    if (law) {
+        print_stiffness("stiffness of the middle, about the geometric centre [N, N mm, N mm^2]",
+                        &fem->middle.K);
+    } else {
+        printf("springs or holds on its walls: the middle has no law of its own\n");
+    }
 }
 
 static const char *verdict(const compare_row *row, bool colour)

@@ -165,6 +165,18 @@ done:
     return st;
 }
 
+static bool is_walled(const segment_problem *p)
+{
+    bool walled = false;
+    for (int i = 0; i < p->nspring; i++) {
+        walled = walled || p->spring[i].on.face >= FACE_OUTSIDE;
+    }
+    for (int i = 0; i < p->nhold; i++) {
+        walled = walled || p->hold[i].on.face >= FACE_OUTSIDE;
+    }
+    return walled;
+}
+
 status after_make(const segment_problem *p, const way_run *run, const way_wants *wants, after *out)
 {
     status st = OK;
@@ -173,12 +185,13 @@ status after_make(const segment_problem *p, const way_run *run, const way_wants 
                .middle = wants->middle,
                .middle_half = wants->middle_half,
                .radius = p->body->radius,
-               .length = p->body->length};
+               .length = p->body->length,
+               .walled = is_walled(p)};
     TRY(find_poses(&a));
     TRY(weigh_sections(&a));
     find_compliance(&a);
     TRY(find_curvatures(&a));
-    TRY(after_find_law(&a));
+    TRY(a.walled ? OK : after_find_law(&a));
     *out = a;
     a = (after){0};
 

@@ -23,13 +23,14 @@ typedef struct after {
     section_pose *pose;         // [run->nlevel]
     section_pose centre;        // at the window's centre
     bool straight;              // the origins lie on the base's z
-    double area;                // of the section at the window's centre [m^2]
-    double EA;                  // of the tip [N]
-    double tip_centroid[2];     // of E over the tip, from the section's origin, base's axes [m]
-    double area_centroid[2];    // of the area over the tip
-    mat6 compliance;            // C: E-weighted motion of the tip, columns for six unit wrenches
-    double (*curvature)[2];     // [ncolumn] over the middle, (5.3) [1/m per N or N m]
-    mat6 F;                     // compliance per length of the middle, section's axes there, (5.5)
+    bool walled; // springs or holds on walls take part of every wrench: no law, no centres, NaN
+    double area; // of the section at the window's centre [m^2]
+    double EA;   // of the tip [N]
+    double tip_centroid[2];  // of E over the tip, from the section's origin, base's axes [m]
+    double area_centroid[2]; // of the area over the tip
+    mat6 compliance;         // C: E-weighted motion of the tip, columns for six unit wrenches
+    double (*curvature)[2];  // [ncolumn] over the middle, (5.3) [1/m per N or N m]
+    mat6 F;                  // compliance per length of the middle, section's axes there, (5.5)
 } after;
 
 // `wants` as the way had them. What it points to must outlive it. ERR_NUMERIC where the energy of

@@ -11,14 +11,37 @@
 // mesh's own geometry
 static const double CENTROID_TOLERANCE = 1e-4;
 
-status after_fill(const after *a, segment_result *r)
+static status law_and_centres(const after *a, segment_result *r)
 {
     status st = OK;
-    const way_run *run = a->run;
     TRY(after_middle(a, &r->middle));
     TRY(after_centre(a, r->stiffness_centre));
     TRY(after_tip_centre(a, r->tip_centre));
     TRY(after_end_length(a, r->end_length));
+
+done:
+    return st;
+}
+
+static status no_law(segment_result *r)
+{
+    for (int i = 0; i < 6; i++) {
+        r->end_length[i] = NAN;
+        for (int j = 0; j < 6; j++) {
+            r->middle.K.a[i][j] = NAN;
+        }
+    }
+    for (int i = 0; i < 2; i++) {
+        r->stiffness_centre[i] = r->tip_centre[i] = NAN;
+    }
+    return OK;
+}
+
+status after_fill(const after *a, segment_result *r)
+{
+    status st = OK;
+    const way_run *run = a->run;
+    TRY(a->walled ? no_law(r) : law_and_centres(a, r));
     r->tip_compliance = a->compliance;
     r->dofs = run->dofs;
     r->residual = fmax(r->residual, run->residual);

@@ -173,6 +173,7 @@ static double judged_error(const segment_result *r, double radius)
     for (int i = 0; i < r->nload; i++) {
         error = fmax(error, load_error(&r->load[i], radius));
     }
+    // no law where walls are held: not a number, which fmax leaves out
     return fmax(error, r->middle.relative_error);
 }
 

@@ -102,10 +102,6 @@ status segment_case_check(const segment_case *c, mark *where);
 // middle.
 segment_case segment_choose(const segment_case *c, double radius);
 
-// ERR_RESOURCE where a plane mesh of nplane nodes gives more unknowns than one process can number
-// and hold; the case is as segment_choose left it.
-status segment_check_size(const segment_case *c, int nplane);
-
 // The case's entries as a segment_problem has them. A motion of the tip: false where none is
 // imposed; translation and rotation, NAN where free.
 face_part segment_face_part(int face, const double range[2]);

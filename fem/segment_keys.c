@@ -156,19 +156,3 @@ segment_case segment_choose(const segment_case *c, double radius)
     out.grading = c->grading > 0 ? c->grading : pow(2, steps < half - 1 ? steps : half - 1);
     return out;
 }
-
-// Above this the matrix's entries outgrow the int with which PETSc and MUMPS count them, and its
-// factors the memory of most machines.
-static const double MOST_UNKNOWNS = 1e7;
-
-status segment_check_size(const segment_case *c, int nplane)
-{
-    const double unknowns = 3.0 * nplane * ((double)c->layers * c->order + 1);
-    if (unknowns > MOST_UNKNOWNS) {
-        return status_fail(ERR_RESOURCE,
-                           "segment: %.3g million unknowns are more than %g million: take fewer "
-                           "fem.layers, a lower fem.order or a larger fem.size_mm",
-                           unknowns * 1e-6, MOST_UNKNOWNS * 1e-6);
-    }
-    return OK;
-}

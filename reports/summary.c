@@ -163,9 +163,13 @@ static void segment_lines(summary *s, const run_result *r)
     const double rounding = 1e-11; // of a solve with a million unknowns, for a segment of size 1
     const segment_result *g = &r->segment;
     const int shown = g->nload < 4 ? g->nload : 4;
-    add(s, "segment  %.4g mm, %lld unknowns, centre found (%.4f, %.4f) mm", r->segment_length * 1e3,
-        g->dofs, plain(g->stiffness_centre[0] * 1e3, 5e-5),
-        plain(g->stiffness_centre[1] * 1e3, 5e-5));
+    char centre[64] = ""; // none where springs or holds on the walls take part
+    if (isfinite(g->stiffness_centre[0])) {
+        (void)snprintf(centre, sizeof centre, ", centre found (%.4f, %.4f) mm",
+                       plain(g->stiffness_centre[0] * 1e3, 5e-5),
+                       plain(g->stiffness_centre[1] * 1e3, 5e-5));
+    }
+    add(s, "segment  %.4g mm, %lld unknowns%s", r->segment_length * 1e3, g->dofs, centre);
     for (int i = 0; i < shown; i++) {
         const segment_load_result *l = &g->load[i];
         char name[96];
