@@ -165,14 +165,15 @@ done:
     return st;
 }
 
+// the base's face carries what the middle does; every other takes a part of it
 static bool is_walled(const segment_problem *p)
 {
     bool walled = false;
     for (int i = 0; i < p->nspring; i++) {
-        walled = walled || p->spring[i].on.face >= FACE_OUTSIDE;
+        walled = walled || p->spring[i].on.face != FACE_BASE;
     }
     for (int i = 0; i < p->nhold; i++) {
-        walled = walled || p->hold[i].on.face >= FACE_OUTSIDE;
+        walled = walled || p->hold[i].on.face != FACE_BASE;
     }
     return walled;
 }

@@ -46,7 +46,7 @@ status after_centre(const after *a, double centre[2]);
 status after_tip_centre(const after *a, double centre[2]);
 
 // Length that both ends together take, per generalized strain, (5.17) [m]; NaN where the law is not
-// the same all along.
+// the same all along, or springs or holds take part.
 status after_end_length(const after *a, double length[6]);
 
 // What acts on the tip, and what it answers. docs/theory.md (5.18)
@@ -74,9 +74,10 @@ typedef struct slice_arrays {
 } slice_arrays;
 status after_slices(const after *a, const double *factor, const slice_arrays *out);
 
-// Largest miss of the resultants against the loads, moments over the radius, over the largest load;
-// NaN where the run does not tell all that acts.
-double after_balance(const after *a, const vec6 *resultant, const vec6 *load);
+// Largest miss of the resultants against the loads, moments over the radius, over the largest load
+// or, where loads balance themselves (a pressure in a tube), over the axial force that would store
+// as much energy; NaN where the run does not tell all that acts.
+double after_balance(const after *a, const double *factor, const vec6 *resultant, const vec6 *load);
 
 // A wrench at one point as seen from another: `from` - `to` is the arm.
 vec6 wrench_about(vec6 wrench, vec3 from, vec3 to);

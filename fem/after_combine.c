@@ -156,7 +156,11 @@ static bool only_tip_is_loaded(const segment_problem *p)
     return only;
 }
 
-double after_balance(const after *a, const vec6 *resultant, const vec6 *load)
+// loads that are this small beside the force that would store their energy are rounding: they
+// balance themselves, as a pressure in a tube does
+static const double SELF_BALANCED = 1e-8;
+
+double after_balance(const after *a, const double *factor, const vec6 *resultant, const vec6 *load)
 {
     double miss = 0, most = 0;
     if (!a->run->applied && !only_tip_is_loaded(a->problem)) {
@@ -169,5 +173,7 @@ double after_balance(const after *a, const vec6 *resultant, const vec6 *load)
             most = fmax(most, fabs(load[i].a[k]) / unit);
         }
     }
+    const double stored = sqrt(2 * fmax(after_energy(a, factor), 0) * a->EA / a->length);
+    most = most < SELF_BALANCED * stored ? stored : most;
     return most > 0 ? miss / most : miss;
 }

@@ -119,7 +119,8 @@ status after_end_length(const after *a, double length[6])
         length[i] = NAN;
     }
     TRY(is_uniform(a, &uniform));
-    if (!uniform) {
+    // what holds the base is no layer at an end
+    if (!uniform || a->problem->nspring > 0 || a->problem->nhold > 0) {
         return OK;
     }
     TRY(after_pose_at(a->problem->body, a->run->z[0] + L / 2, &middle));

@@ -23,8 +23,9 @@ done:
     return st;
 }
 
-static status no_law(segment_result *r)
+static status no_law(const after *a, segment_result *r)
 {
+    r->middle.area = a->area;
     for (int i = 0; i < 6; i++) {
         r->end_length[i] = NAN;
         for (int j = 0; j < 6; j++) {
@@ -41,7 +42,7 @@ status after_fill(const after *a, segment_result *r)
 {
     status st = OK;
     const way_run *run = a->run;
-    TRY(a->walled ? no_law(r) : law_and_centres(a, r));
+    TRY(a->walled ? no_law(a, r) : law_and_centres(a, r));
     r->tip_compliance = a->compliance;
     r->dofs = run->dofs;
     r->residual = fmax(r->residual, run->residual);
@@ -148,7 +149,7 @@ static status keep_slices(const after *a, const double *factor, segment_load_res
                                         .load = at.load[i],
                                         .strain = at.strain[i]};
     }
-    out->balance = after_balance(a, at.resultant, at.load);
+    out->balance = after_balance(a, factor, at.resultant, at.load);
 
 done:
     free(at.motion);
@@ -192,7 +193,13 @@ status after_load(const after *a, const after_ask *ask, segment_load_result *out
     TRY(ask->uniform >= 0 ? check_uniform(a, ask) : OK);
     TRY(TAKE(factor, (size_t)a->run->ncolumn));
     TRY(find_factors(a, ask, factor));
-    *out = (segment_load_result){.name = ask->load->name};
+    // until a coarser mesh says more
+    *out = (segment_load_result){.name = ask->load->name,
+                                 .shortening_error = NAN,
+                                 .tip_displacement_error = NAN,
+                                 .tip_rotation_error = NAN,
+                                 .mid_curvature_error = NAN,
+                                 .strain_energy_error = NAN};
     tell_wrench(a, ask, factor, out);
 
     const vec6 q = after_tip_motion(a, factor);

@@ -32,7 +32,7 @@ static status no_such_face(int face)
     if (face == FACE_INSIDE) {
         return status_fail(ERR_INPUT, "the section has no holes: it has no inside face");
     }
-    return status_fail(ERR_INPUT, "the section has no hole %d", face - FACE_HOLE);
+    return status_fail(ERR_INPUT, "the section has no hole %d", face - FACE_HOLE + 1);
 }
 
 status face_check(const body *b, const face_part *part)

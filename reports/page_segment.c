@@ -173,9 +173,13 @@ done:
     return st;
 }
 
+// nothing where springs or holds on the walls leave the middle no law
 static status centres(bytes *page, const segment_result *s)
 {
     status st = OK;
+    if (isnan(s->stiffness_centre[0])) {
+        return OK;
+    }
     PAGE("<p>Centre found by the 3D solution (where a load leaves the middle uncurved): "
          "(%s, %s) mm%s; where it leaves the tip unturned: ",
          number_fixed(s->stiffness_centre[0] * 1e3, 4).text,

@@ -93,6 +93,9 @@ static status check_reals(const passage *p, const char *full, const column *c, c
 {
     const double largest = largest_in(c->unit);
     for (size_t i = 0; c->kind != COLUMN_ANY && i < n; i++) {
+        if (c->kind == COLUMN_KNOWN && isnan(data[i])) {
+            continue;
+        }
         if (!isfinite(data[i])) {
             return passage_damaged(p, full, "holds what is not a number");
         }
@@ -199,6 +202,7 @@ static status pass_column(const passage *p, const char *group, const column *c,
     switch (c->kind) {
     case COLUMN_REAL:
     case COLUMN_POSITIVE:
+    case COLUMN_KNOWN:
     case COLUMN_ANY:
         return p->reading ? read_reals(p, full.text, c, rows) : write_reals(p, full.text, c, rows);
     case COLUMN_TEXT:

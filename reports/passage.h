@@ -19,6 +19,7 @@ typedef struct passage {
 typedef enum column_kind {
     COLUMN_REAL,     // finite, and within what its unit allows (passage.c)
     COLUMN_POSITIVE, // a COLUMN_REAL above 0
+    COLUMN_KNOWN,    // a COLUMN_REAL, or NaN where it is not known
     COLUMN_ANY,      // a number that may also be NaN or infinite: an estimate, the other side of a
                      // comparison
     COLUMN_INT,
