@@ -103,8 +103,9 @@ typedef struct after_ask {
 status after_load(const after *a, const after_ask *ask, segment_load_result *out);
 
 // All estimates of `fine` from the differences to a coarser mesh, times factor: 1 where nothing is
-// known of the rate, 1 / (rate - 1) where it is.
-void after_errors(const segment_result *coarse, double factor, segment_result *fine);
+// known of the rate, 1 / (rate - 1) where it is; the middle's law has its own.
+void after_errors(const segment_result *coarse, double factor, double law_factor,
+                  segment_result *fine);
 
 // The plane mesh, and with fields what they stand on: this rank's own levels; with stresses nodes
 // apart too.

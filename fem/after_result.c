@@ -231,31 +231,33 @@ static double distance(int n, const double *a, const double *b)
     return sqrt(sum);
 }
 
-static void load_errors(const segment_load_result *c, double factor, segment_load_result *f)
+static void load_errors(const segment_load_result *c, double factor, double law_factor,
+                        segment_load_result *f)
 {
     f->shortening_error = factor * fabs(c->shortening - f->shortening);
     f->tip_displacement_error = factor * distance(3, c->tip_displacement, f->tip_displacement);
     f->tip_rotation_error = factor * distance(3, c->tip_rotation, f->tip_rotation);
-    f->mid_curvature_error = factor * distance(2, c->mid_curvature, f->mid_curvature);
+    f->mid_curvature_error = law_factor * distance(2, c->mid_curvature, f->mid_curvature);
     f->strain_energy_error = factor * fabs(c->strain_energy - f->strain_energy);
 }
 
-void after_errors(const segment_result *coarse, double factor, segment_result *fine)
+void after_errors(const segment_result *coarse, double factor, double law_factor,
+                  segment_result *fine)
 {
     const beam_law *old = &coarse->middle;
     beam_law *law = &fine->middle;
     fine->relative_error =
         factor * mat6_relative_error(coarse->tip_compliance, fine->tip_compliance);
-    law->relative_error = factor * mat6_relative_error(old->K, law->K);
+    law->relative_error = law_factor * mat6_relative_error(old->K, law->K);
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < 6; j++) {
-            law->entry_error.a[i][j] = factor * fabs(old->K.a[i][j] - law->K.a[i][j]) /
+            law->entry_error.a[i][j] = law_factor * fabs(old->K.a[i][j] - law->K.a[i][j]) /
                                        sqrt(law->K.a[i][i] * law->K.a[j][j]);
         }
     }
     fine->stiffness_centre_error =
-        factor * distance(2, coarse->stiffness_centre, fine->stiffness_centre);
+        law_factor * distance(2, coarse->stiffness_centre, fine->stiffness_centre);
     for (int i = 0; i < fine->nload && i < coarse->nload; i++) {
-        load_errors(&coarse->load[i], factor, &fine->load[i]);
+        load_errors(&coarse->load[i], factor, law_factor, &fine->load[i]);
     }
 }

@@ -12,12 +12,12 @@
 // worth it only once the elements between are good. Two rungs without layers, two with one on walls
 // of a fifth of the radius, then one more layer each.
 static const segment_rung rungs[RUNG_COUNT] = {
-    {.plane_order = 3, .edge_first = 1, .order = 3, .end_first = 0.1},
-    {.plane_order = 4, .edge_first = 0.2, .order = 4, .end_first = 0.1},
-    {.plane_order = 3, .edge_first = 0.02, .order = 4, .end_first = 0.05},
-    {.plane_order = 4, .edge_first = 0.02, .order = 4, .end_first = 0.02},
-    {.plane_order = 4, .edge_first = 0.004, .order = 4, .end_first = 0.005},
-    {.plane_order = 4, .edge_first = 0.0008, .order = 4, .end_first = 0.001},
+    {.plane_order = 3, .edge_first = 1, .order = 3, .end_first = 0.1, .between = 0.5},
+    {.plane_order = 4, .edge_first = 0.2, .order = 4, .end_first = 0.1, .between = 0.5},
+    {.plane_order = 3, .edge_first = 0.02, .order = 4, .end_first = 0.05, .between = 0.5},
+    {.plane_order = 4, .edge_first = 0.02, .order = 4, .end_first = 0.02, .between = 0.4},
+    {.plane_order = 4, .edge_first = 0.004, .order = 4, .end_first = 0.005, .between = 0.3},
+    {.plane_order = 4, .edge_first = 0.0008, .order = 4, .end_first = 0.001, .between = 0.25},
 };
 
 segment_rung segment_rung_of(int rung)
@@ -27,9 +27,8 @@ segment_rung segment_rung_of(int rung)
 
 // --- layers along s
 
-// by what layers grow, up to the radius: with the singular field; then as slowly as end effects
-// fade
-static const double GROWTH = 5, SLOW = 2;
+// by what layers grow: with the singular field; then, past what ends do over the radius, doubling
+static const double GROWTH = 5, SLOW = 2, REACH = 3;
 
 // a free end is not singular where its wall is not: its layers are so much thicker. Tractions jump
 // at interfaces, so that a loaded end needs as thin ones as a held end
@@ -39,13 +38,14 @@ static const double FREE_END = 5;
 enum { MOST_LAYERS = 4096 };
 
 typedef struct march {
-    double step, radius, longest;
+    double step, done, between, reach, longest;
 } march;
 
-static double next_step(const march *m)
+static void advance(march *m)
 {
-    const double grown = m->step * GROWTH;
-    return fmin(m->longest, grown <= m->radius ? grown : fmax(m->step, m->radius / SLOW) * SLOW);
+    const double grown = fmin(m->step * GROWTH, fmax(m->step, m->between));
+    m->done += m->step;
+    m->step = fmin(m->longest, m->done >= m->reach ? fmax(m->step * SLOW, grown) : grown);
 }
 
 static march march_from(const segment_rung *r, const rung_body *b, bool at_tip)
@@ -53,7 +53,10 @@ static march march_from(const segment_rung *r, const rung_body *b, bool at_tip)
     const bool is_free = at_tip ? b->tip == TIP_FREE : b->base == BASE_FREE;
     const double soft = is_free ? FREE_END : 1;
     const double longest = b->sections_along > 0 ? b->length / b->sections_along : b->length;
-    return (march){fmin(soft * r->end_first * b->radius, longest), b->radius, longest};
+    return (march){.step = fmin(soft * r->end_first * b->radius, longest),
+                   .between = r->between * b->radius,
+                   .reach = REACH * b->radius,
+                   .longest = longest};
 }
 
 // the middle in equal parts, none longer than the next layer from either end
@@ -75,12 +78,12 @@ static void march_inwards(const rung_body *b, march *up, march *down, double *at
         if (rise) {
             low[1] = *low + up->step;
             low++;
-            up->step = next_step(up);
+            advance(up);
         }
         if (fall) {
             high[-1] = *high - down->step;
             high--;
-            down->step = next_step(down);
+            advance(down);
         }
     }
     *nlow = (int)(low - at);
@@ -138,6 +141,12 @@ double segment_rung_factor(int rung, double nu, int tip)
 {
     const double left = segment_rung_left(rung, nu, tip);
     return left / (1 - left);
+}
+
+// the middle's law has the section's own corners, and orders that fall from rung to rung
+double segment_rung_law_factor(void)
+{
+    return SLOWEST / (1 - SLOWEST);
 }
 
 double segment_rung_error(int rung, double nu, int tip, int n, const double *value)

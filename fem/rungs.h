@@ -15,6 +15,7 @@ typedef struct segment_rung {
     int order;         // along s
     double end_first;  // the first layer at a clamped or capped end over the radius. Slabs of the
                        // doubling are no thicker
+    double between;    // longest layer over the radius as far as end effects reach
 } segment_rung;
 
 // rung: 0..RUNG_COUNT - 1
@@ -35,6 +36,7 @@ status segment_rung_layers(const segment_rung *r, const rung_body *b, int *nlaye
 // for the error.
 double segment_rung_left(int rung, double nu, int tip);
 double segment_rung_factor(int rung, double nu, int tip);
+double segment_rung_law_factor(void); // of the middle's law, on any rung
 
 // Estimate of the error of value[n - 1], on a rung, from the values of the n = 2 or 3 rungs up to
 // it.

@@ -221,7 +221,8 @@ static status climb_rung(const climb *k, int number, bool first, bool fields, se
     now.relative_error = now.middle.relative_error = 1; // one mesh alone tells nothing
     tell_plan(&at, first ? 1 : r->rungs + 1, &now);
     if (!first) {
-        after_errors(r, segment_plan_factor(k->c, k->source, number), &now);
+        after_errors(r, segment_plan_factor(k->c, k->source, number), segment_plan_law_factor(k->c),
+                     &now);
         carry_over(r, &now);
     }
     segment_result_free(r);

@@ -124,3 +124,8 @@ double segment_plan_factor(const segment_case *c, const segment_source *source, 
 {
     return is_given(c) ? 1 : segment_rung_factor(rung, source->nu, c->tip);
 }
+
+double segment_plan_law_factor(const segment_case *c)
+{
+    return is_given(c) ? 1 : segment_rung_law_factor();
+}

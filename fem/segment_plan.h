@@ -24,5 +24,6 @@ status segment_plan_make(const segment_case *c, const segment_source *source, in
 void segment_plan_free(segment_plan *p);
 
 // What the difference of two rungs that follow each other is multiplied by for the error of the
-// second.
+// second: of its motions and of the middle's law.
 double segment_plan_factor(const segment_case *c, const segment_source *source, int rung);
+double segment_plan_law_factor(const segment_case *c);

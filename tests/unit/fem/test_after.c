@@ -517,12 +517,12 @@ static void estimates_are_differences_times_a_factor(void)
     coarse.middle.K = fine.middle.K = mat6_identity();
     coarse.tip_compliance.a[0][1] = 0.01;
     coarse.middle.K.a[2][4] = 0.02;
-    after_errors(&coarse, 0.5, &fine);
+    after_errors(&coarse, 0.5, 0.75, &fine);
     CHECK_NEAR(fine.relative_error, 0.005, 1e-14);
-    CHECK_NEAR(fine.middle.relative_error, 0.01, 1e-14);
-    CHECK_NEAR(fine.middle.entry_error.a[2][4], 0.01, 1e-14);
+    CHECK_NEAR(fine.middle.relative_error, 0.015, 1e-14);
+    CHECK_NEAR(fine.middle.entry_error.a[2][4], 0.015, 1e-14);
     CHECK(fine.middle.entry_error.a[1][1] == 0);
-    CHECK_NEAR(fine.stiffness_centre_error, sqrt(2) / 2, 1e-14);
+    CHECK_NEAR(fine.stiffness_centre_error, 0.75 * sqrt(2), 1e-14);
     CHECK_NEAR(fine_load.shortening_error, 0.25, 1e-14);
     CHECK_NEAR(fine_load.tip_rotation_error, 2.5, 1e-14);
 }

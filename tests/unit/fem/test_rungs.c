@@ -66,7 +66,7 @@ static void held_ends_are_alike(void)
         for (int i = 0; i <= n; i++) {
             CHECK_WITHIN(at[i] + at[n - i], 30, 1e-13);
         }
-        CHECK(n <= 12 + 2 * k); // few layers for a body of 15 diameters
+        CHECK(n <= 24 + 4 * k); // few layers for a body of 15 diameters
         free(at);
     }
 }
