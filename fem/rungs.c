@@ -144,7 +144,16 @@ double segment_rung_factor(int rung, double nu, int tip)
 }
 
 // the middle's law has the section's own corners, and orders that fall from rung to rung
-double segment_rung_law_factor(void)
+// what the order of the plane elements falls by takes from that
+static const double FALL = 1.5;
+
+double segment_rung_law_factor(int rung)
+{
+    const bool falls = rung > 0 && rungs[rung].plane_order < rungs[rung - 1].plane_order;
+    return (falls ? FALL : 1) * segment_rung_slowest();
+}
+
+double segment_rung_slowest(void)
 {
     return SLOWEST / (1 - SLOWEST);
 }

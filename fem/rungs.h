@@ -36,7 +36,10 @@ status segment_rung_layers(const segment_rung *r, const rung_body *b, int *nlaye
 // for the error.
 double segment_rung_left(int rung, double nu, int tip);
 double segment_rung_factor(int rung, double nu, int tip);
-double segment_rung_law_factor(void); // of the middle's law, on any rung
+double segment_rung_law_factor(int rung); // of the middle's law
+// The largest that factor is where a sequence converges: on a rung that finds walls too thin for
+// its layers.
+double segment_rung_slowest(void);
 
 // Estimate of the error of value[n - 1], on a rung, from the values of the n = 2 or 3 rungs up to
 // it.

@@ -166,15 +166,16 @@ static double load_error(const segment_load_result *l, double radius)
     return fmax(l->strain_energy_error / fabs(l->strain_energy), off / motion);
 }
 
-// what a tolerance is about: the case's loads, else the compliance for all; and the middle's law
+// what a tolerance is about: the case's loads, else the compliance for all and the middle's law;
+// its shear waits for much finer meshes than what loads do
 static double judged_error(const segment_result *r, double radius)
 {
-    double error = r->nload > 0 ? 0 : r->relative_error;
+    // no law where walls are held: not a number, which fmax leaves out
+    double error = r->nload > 0 ? 0 : fmax(r->relative_error, r->middle.relative_error);
     for (int i = 0; i < r->nload; i++) {
         error = fmax(error, load_error(&r->load[i], radius));
     }
-    // no law where walls are held: not a number, which fmax leaves out
-    return fmax(error, r->middle.relative_error);
+    return error;
 }
 
 static bool is_enough(const climb *k, const segment_result *r)
@@ -187,8 +188,9 @@ static status check_tolerance(const climb *k, const segment_result *r)
 {
     if (k->c->tolerance > 0 && !is_enough(k, r)) {
         return status_fail(ERR_NUMERIC,
-                           "segment: loads and law are met to %.1e, not to the tolerance of %.1e, "
+                           "segment: %s met to %.1e, not to the tolerance of %.1e, "
                            "with %lld unknowns on the last of %d meshes",
+                           r->nload > 0 ? "loads are" : "compliance and law are",
                            judged_error(r, k->source->radius), k->c->tolerance, r->dofs, r->rungs);
     }
     return OK;
@@ -199,6 +201,7 @@ static void tell_plan(const rung *r, int rungs, segment_result *out)
     out->mesh_used = r->plan.mesh;
     out->order = r->plan.order;
     out->layers = r->plan.nlayer;
+    out->plane_nodes = r->plane.nnode;
     out->rungs = rungs;
 }
 
@@ -221,8 +224,9 @@ static status climb_rung(const climb *k, int number, bool first, bool fields, se
     now.relative_error = now.middle.relative_error = 1; // one mesh alone tells nothing
     tell_plan(&at, first ? 1 : r->rungs + 1, &now);
     if (!first) {
-        after_errors(r, segment_plan_factor(k->c, k->source, number), segment_plan_law_factor(k->c),
-                     &now);
+        const bool grows = now.plane_nodes > r->plane_nodes;
+        after_errors(r, segment_plan_factor(k->c, k->source, number, grows),
+                     segment_plan_law_factor(k->c, number), &now);
         carry_over(r, &now);
     }
     segment_result_free(r);

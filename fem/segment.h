@@ -77,9 +77,9 @@ typedef struct segment_case {
     double section_at; // arclength of the rod's section at the base [m]
     int course;        // segment_course: follows the section along the rod, or keeps it
     int way;           // segment_way
-    double tolerance;  // of each load's work and tip motion and of the middle's law, relative; 0:
-                       // the mesh as it is
-    int mixed;         // segment_mixed; MIXED_AUTO: by Poisson's ratio
+    double tolerance; // of each load's work and tip motion, without loads of the tip compliance and
+                      // the middle's law, relative; 0: the mesh as it is
+    int mixed;        // segment_mixed; MIXED_AUTO: by Poisson's ratio
     segment_tip_spring tip_spring; // there where its mark is given
     key_list loads;                // of segment_load
     key_list springs;              // of segment_spring
@@ -198,6 +198,7 @@ typedef struct segment_result {
     bool met;  // the tolerance
     segment_mesh mesh_used;
     int order, layers;
+    int plane_nodes; // of the section's mesh
     beam_law middle; // of this segment's own middle, ends' layers and all: inverse of the energy
                      // per length for six unit wrenches, docs/theory.md (5.5)
     double stiffness_centre[2]; // the load position at which the mid-segment curvature vanishes [m]

@@ -72,9 +72,8 @@ static const key keys[] = {
      .max = 0.1,
      .offset = offsetof(segment_case, tolerance),
      .initial = "the mesh as it is",
-     .about =
-         "meshes are refined until the estimated error of every load's work and tip motion, and "
-         "of the middle's 6x6, is below it"},
+     .about = "meshes are refined until the estimated error of every load's work and tip motion, "
+              "without loads of the tip's compliance and the middle's 6x6, is below it"},
     {.name = "mixed",
      .kind = KEY_CHOICE,
      .choices = "auto|yes|no",

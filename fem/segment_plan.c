@@ -120,12 +120,14 @@ done:
     return st;
 }
 
-double segment_plan_factor(const segment_case *c, const segment_source *source, int rung)
+double segment_plan_factor(const segment_case *c, const segment_source *source, int rung,
+                           bool grows)
 {
-    return is_given(c) ? 1 : segment_rung_factor(rung, source->nu, c->tip);
+    const double factor = is_given(c) ? 1 : segment_rung_factor(rung, source->nu, c->tip);
+    return is_given(c) || grows ? factor : fmax(factor, segment_rung_slowest());
 }
 
-double segment_plan_law_factor(const segment_case *c)
+double segment_plan_law_factor(const segment_case *c, int rung)
 {
-    return is_given(c) ? 1 : segment_rung_law_factor();
+    return is_given(c) ? 1 : segment_rung_law_factor(rung);
 }

@@ -25,5 +25,7 @@ void segment_plan_free(segment_plan *p);
 
 // What the difference of two rungs that follow each other is multiplied by for the error of the
 // second: of its motions and of the middle's law.
-double segment_plan_factor(const segment_case *c, const segment_source *source, int rung);
-double segment_plan_law_factor(const segment_case *c);
+// grows: the section's mesh has more nodes than the rung below's.
+double segment_plan_factor(const segment_case *c, const segment_source *source, int rung,
+                           bool grows);
+double segment_plan_law_factor(const segment_case *c, int rung);

@@ -219,6 +219,6 @@ static inline void stress_rows(const stress_segment *s, stress_count *count)
     stress_row(s, &t, "direct", NULL, count);
     stress_row(s, &t, "iterative", s->mesh ? NULL : "1e-3", count);
     if (!s->mesh) {
-        stress_row(s, &t, "doubling", "1e-3", count);
+        stress_row(s, &t, "doubling", "2e-4", count);
     }
 }
