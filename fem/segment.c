@@ -158,12 +158,21 @@ static double length_of(const double *v)
     return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
 }
 
+// Parts of what a load's tip motion would take to pull, and of what its energy would move, below
+// which its own energy and motion are rounding: a body moved as a whole, a tip held still.
+static const double SMALL_PART = 1e-2;
+
 // of a load's work and of what its tip does, rotations by the radius
-static double load_error(const segment_load_result *l, double radius)
+static double load_error(const segment_result *r, const segment_load_result *l, double radius)
 {
+    const mat6 *C = &r->tip_compliance;
+    const double soft = fmax(C->a[NX][NX], fmax(C->a[NY][NY], C->a[NZ][NZ]));
     const double motion = length_of(l->tip_displacement) + radius * length_of(l->tip_rotation);
     const double off = l->tip_displacement_error + radius * l->tip_rotation_error;
-    return fmax(l->strain_energy_error / fabs(l->strain_energy), off / motion);
+    const double energy = fmax(l->strain_energy, SMALL_PART * motion * motion / (2 * soft));
+    const double reach = fmax(motion, SMALL_PART * sqrt(2 * soft * fmax(l->strain_energy, 0)));
+    // nothing at all happens under a load of nothing
+    return energy > 0 && reach > 0 ? fmax(l->strain_energy_error / energy, off / reach) : 0;
 }
 
 // what a tolerance is about: the case's loads, else the compliance for all and the middle's law;
@@ -173,7 +182,7 @@ static double judged_error(const segment_result *r, double radius)
     // no law where walls are held: not a number, which fmax leaves out
     double error = r->nload > 0 ? 0 : fmax(r->relative_error, r->middle.relative_error);
     for (int i = 0; i < r->nload; i++) {
-        error = fmax(error, load_error(&r->load[i], radius));
+        error = fmax(error, load_error(r, &r->load[i], radius));
     }
     return error;
 }
