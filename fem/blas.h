@@ -3,6 +3,15 @@
 // matrix stored by rows is its transpose there.
 #pragma once
 
+#include "base/status.h"
+
+// Before anything else of here in a long run. ERR_RESOURCE where there is no memory for it: it
+// would wait for ever.
+status blas_take(void);
+
+// Whether there would be; libraries that begin with less crash.
+status blas_room(void);
+
 // C = alpha op(A) op(B) + beta C, C [m][n]
 void dgemm_(const char *op_a, const char *op_b, const int *m, const int *n, const int *k,
             const double *alpha, const double *a, const int *lda, const double *b, const int *ldb,

@@ -4,6 +4,7 @@
 #include "fem/way.h"
 
 #include "base/memory.h"
+#include "fem/blas.h"
 #include "fem/doubling_answer.h"
 #include "fem/doubling_plan.h"
 #include "fem/doubling_symmetry.h"
@@ -171,6 +172,7 @@ status way_doubling(const segment_problem *p, const way_wants *wants, way_run *o
     double *cell_energy = NULL;
     const double begin = cpu_seconds();
     TRY(doubling_check(p));
+    TRY(blas_take());
     d.grid = d.doublings < REPORTED_HALVINGS ? d.doublings : REPORTED_HALVINGS;
     TRY(TAKE(cell_energy, 36 * ((size_t)1 << d.grid)));
     TRY(doubling_answer_take(&d, &run));

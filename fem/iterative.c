@@ -269,23 +269,6 @@ done:
     return st;
 }
 
-// OpenBLAS asks for its working storage for ever where there is none left: it takes it now, or this
-// ends in words
-static status take_blas(void)
-{
-    static const size_t STORAGE = (size_t)160 << 20;
-    const int one = 1;
-    int info = 0;
-    double a = 1;
-    void *room = malloc(STORAGE);
-    if (!room) {
-        return status_fail(ERR_RESOURCE, "segment: no memory for BLAS");
-    }
-    free(room);
-    dpotrf_("U", &one, &a, &one, &info);
-    return OK;
-}
-
 status way_iterative(const segment_problem *p, const way_wants *wants, way_run *out)
 {
     status st = OK;
@@ -299,7 +282,7 @@ status way_iterative(const segment_problem *p, const way_wants *wants, way_run *
     if (!iterative_is_plain(p)) {
         return direct_solve(p, wants, true, out);
     }
-    TRY(take_blas());
+    TRY(blas_take());
     TRY(petsc_door_open(&w.door));
     TRY(petsc_plane_door_open(&w.plane_door));
     TRY(solve(&w, &loads, wants, &run));

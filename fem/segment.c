@@ -5,6 +5,7 @@
 
 #include "base/memory.h"
 #include "fem/after.h"
+#include "fem/blas.h"
 #include "fem/segment_plan.h"
 #include "fem/segment_problem.h"
 #include "fem/segment_way.h"
@@ -256,6 +257,7 @@ status segment_solve(const segment_case *c, const segment_source *source, const 
     segment_result r = {0};
     const segment_climb steps = segment_climb_of(c);
 
+    TRY(blas_room());
     TRY(problem_parts_make(c, &k.parts));
     for (int i = steps.first; i <= steps.last; i++) {
         const bool first = i == steps.first, last = i == steps.last;

@@ -25,7 +25,7 @@ static inline void stress_contrasts(stress_table *t)
         stress_segment s = stress_plain("stiff sector, contrast", contrast[k]);
         s.contrast = contrast[k];
         s.truth = contrast[k] < 1e4 ? NULL : "1e-4";
-        table_add(t, &s, k == 2);
+        table_add(t, &s, false);
     }
     for (int k = 1; k < 5; k++) {
         stress_segment s = stress_plain("soft sector, contrast", contrast[k]);
@@ -57,14 +57,14 @@ static inline void stress_walls(stress_table *t)
     for (int k = 0; k < 5; k++) {
         stress_segment s = stress_plain("radius / wall", wall[k]);
         s.wall = 1 / wall[k];
-        table_add(t, &s, k == 1);
+        table_add(t, &s, false);
     }
     for (int k = 0; k < 5; k++) {
         stress_segment s = stress_plain("ends free, radius / wall", wall[k]);
         s.wall = 1 / wall[k];
         s.ends = STRESS_FREE;
         s.exact = true;
-        table_add(t, &s, false);
+        table_add(t, &s, k == 2);
     }
 }
 
@@ -74,7 +74,7 @@ static inline void stress_poissons(stress_table *t)
     for (int k = 0; k < 6; k++) {
         stress_segment s = stress_plain("nu", nu[k]);
         s.nu_soft = s.nu_stiff = nu[k];
-        table_add(t, &s, k == 0);
+        table_add(t, &s, false);
     }
     for (int k = 0; k < 6; k++) {
         stress_segment s = stress_plain("ends free, nu", nu[k]);
@@ -110,7 +110,7 @@ static inline void stress_elements(stress_table *t)
         stress_segment s = stress_plain(mesh[k].what, mesh[k].aspect);
         s.mesh = mesh[k].mesh;
         s.length = mesh[k].length;
-        table_add(t, &s, k == 1);
+        table_add(t, &s, false);
     }
 }
 

@@ -1,0 +1,12 @@
+// tests/verify/app/verify_segment_stability.c
+// The lines of docs/segment_stability.md that are quick: each within its estimate, or refused.
+#include "tests/verify/app/segment_stress_cases.h"
+
+int main(void)
+{
+    const stress_count n = stress_all(true);
+    printf("%d lines: %d refused, %d outside their estimate\n", n.rows, n.refused, n.outside);
+    CHECK(n.rows >= 10 && n.outside == 0);
+    CHECK(2 * n.refused < n.rows);
+    return test_failures != 0;
+}
