@@ -109,7 +109,8 @@ function(tests)
     endforeach()
     file(GLOB scripts CONFIGURE_DEPENDS tests/cli/*.sh tests/cross/*.sh tests/*.sh)
     # long, and of the same code as the others: once is enough
-    set(numbers blade check_format check_layers failures json published ranks run_cases voxel vtkhdf)
+    set(numbers blade bodies check_format check_layers failures json mpirun_ways published ranks run_cases segment_compare
+        segment_loads voxel vtkhdf)
     foreach(file ${scripts})
         get_filename_component(name ${file} NAME_WE)
         add_test(NAME script/${name} COMMAND sh ${file})

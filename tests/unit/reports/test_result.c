@@ -598,11 +598,14 @@ static void a_file_that_lies_is_refused(const scratch *dir)
     const scratch_path path = scratch_file(dir, "lies.hdf");
     run_result r = make_run();
     int *conn = r.segment.body.plane.block[0].conn, *apart = r.segment.body.apart.block[0].conn;
+    const int nload = r.segment.nload;
+    r.segment.nload = 0; // the writer puts their fields on such nodes
     conn[3] = 6;
     CHECK(write_broken(&r, path.text) == ERR_FILE);
     conn[3] = -1;
     CHECK(write_broken(&r, path.text) == ERR_FILE);
     conn[3] = 4;
+    r.segment.nload = nload;
     apart[4] = 0; // a copy of two nodes
     CHECK(write_broken(&r, path.text) == ERR_FILE);
     apart[4] = 6;
