@@ -14,6 +14,8 @@ static const double MAPPED = 1.6;
 // The same with a matrix and algebraic multigrid: half a dozen products a step, grids made once
 static const double SECONDS_PER_ENTRY = 8e-9, BYTES_PER_ENTRY = 40;
 enum { GRID_ITERATIONS = 20, SETUP_STEPS = 25 };
+// the mixed form near nu = 1/2 takes hundreds
+static const double MIXED_STEPS = 20;
 
 // of one product with one column, as apply.h does it
 static double product_flops(const body *b)
@@ -40,7 +42,8 @@ static way_cost with_matrix(const segment_problem *p, double share)
 {
     const body *b = p->body;
     const double unknowns = 3.0 * (double)body_node_count(b), entries = unknowns * row_entries(b);
-    const double steps = GRID_ITERATIONS * b->order * problem_columns(p);
+    const double plain = GRID_ITERATIONS * b->order * problem_columns(p);
+    const double steps = plain * (b->spec.mixed ? MIXED_STEPS : 1);
     return (way_cost){.possible = true,
                       .seconds = share * SECONDS_PER_ENTRY * entries * (SETUP_STEPS + steps),
                       .bytes = share * BYTES_PER_ENTRY * entries};

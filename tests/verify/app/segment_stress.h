@@ -217,9 +217,11 @@ static inline void stress_rows(const stress_segment *s, stress_count *count)
     }
     stress_row(s, &t, "doubling", NULL, count);
     stress_row(s, &t, "direct", NULL, count);
-    const bool climbs = !s->mesh && !s->exact;
-    stress_row(s, &t, "iterative", climbs ? "1e-3" : NULL, count);
-    if (climbs) {
+    // the mixed form takes hundreds of iterations: minutes
+    if (fmax(s->nu_soft, s->nu_stiff) <= 0.45) {
+        stress_row(s, &t, "iterative", NULL, count);
+    }
+    if (!s->mesh && !s->exact) {
         stress_row(s, &t, "doubling", "2e-4", count);
     }
 }
