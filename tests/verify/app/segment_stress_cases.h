@@ -121,7 +121,7 @@ static inline void stress_lengths(stress_table *t)
         stress_segment s = stress_plain("length / diameter", length[k]);
         s.length = length[k];
         s.long_one = length[k] >= 15;
-        table_add(t, &s, k == 0);
+        table_add(t, &s, false);
     }
 }
 
