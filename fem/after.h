@@ -107,6 +107,10 @@ status after_load(const after *a, const after_ask *ask, segment_load_result *out
 void after_errors(const segment_result *coarse, double factor, double law_factor,
                   segment_result *fine);
 
+// No estimate of `fine` below that of the coarser one: where a mesh only changes along s, what the
+// section's elements leave does not show in the difference.
+void after_no_better(const segment_result *coarse, segment_result *fine);
+
 // The plane mesh, and with fields what they stand on: this rank's own levels; with stresses nodes
 // apart too.
 status after_keep_body(const segment_problem *p, const way_run *run, bool fields, bool stress,

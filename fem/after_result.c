@@ -261,3 +261,28 @@ void after_errors(const segment_result *coarse, double factor, double law_factor
         load_errors(&coarse->load[i], factor, law_factor, &fine->load[i]);
     }
 }
+
+static void raise_to(double least, double *error)
+{
+    *error = fmax(*error, least);
+}
+
+void after_no_better(const segment_result *coarse, segment_result *fine)
+{
+    const beam_law *old = &coarse->middle;
+    raise_to(coarse->relative_error, &fine->relative_error);
+    raise_to(old->relative_error, &fine->middle.relative_error);
+    raise_to(coarse->stiffness_centre_error, &fine->stiffness_centre_error);
+    for (int i = 0; i < 36; i++) {
+        raise_to(old->entry_error.a[i / 6][i % 6], &fine->middle.entry_error.a[i / 6][i % 6]);
+    }
+    for (int i = 0; i < fine->nload && i < coarse->nload; i++) {
+        const segment_load_result *c = &coarse->load[i];
+        segment_load_result *f = &fine->load[i];
+        raise_to(c->shortening_error, &f->shortening_error);
+        raise_to(c->tip_displacement_error, &f->tip_displacement_error);
+        raise_to(c->tip_rotation_error, &f->tip_rotation_error);
+        raise_to(c->mid_curvature_error, &f->mid_curvature_error);
+        raise_to(c->strain_energy_error, &f->strain_energy_error);
+    }
+}

@@ -237,6 +237,9 @@ static status climb_rung(const climb *k, int number, bool first, bool fields, se
         const bool grows = now.plane_nodes > r->plane_nodes;
         after_errors(r, segment_plan_factor(k->c, k->source, number, grows),
                      segment_plan_law_factor(k->c, number), &now);
+        if (!grows && r->rungs > 1) {
+            after_no_better(r, &now);
+        }
         carry_over(r, &now);
     }
     segment_result_free(r);

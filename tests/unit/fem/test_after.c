@@ -527,6 +527,18 @@ static void estimates_are_differences_times_a_factor(void)
     CHECK_NEAR(fine_load.tip_rotation_error, 2.5, 1e-14);
 }
 
+static void estimates_do_not_fall_where_nothing_new_is_seen(void)
+{
+    segment_load_result coarse_load = {.shortening_error = 3}, fine_load = {.shortening_error = 1};
+    segment_result coarse = {.nload = 1, .load = &coarse_load, .relative_error = 2},
+                   fine = {.nload = 1, .load = &fine_load, .relative_error = 1};
+    coarse.middle.relative_error = 1;
+    fine.middle.relative_error = 4;
+    after_no_better(&coarse, &fine);
+    CHECK(fine.relative_error == 2 && fine.middle.relative_error == 4);
+    CHECK(fine_load.shortening_error == 3);
+}
+
 int main(void)
 {
     slopes_of_polynomials_are_exact();
@@ -541,5 +553,6 @@ int main(void)
     an_imposed_motion_is_met_and_its_reaction_told();
     a_uniform_traction_has_its_own_place();
     estimates_are_differences_times_a_factor();
+    estimates_do_not_fall_where_nothing_new_is_seen();
     return test_failures != 0;
 }

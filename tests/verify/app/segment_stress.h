@@ -222,6 +222,6 @@ static inline void stress_rows(const stress_segment *s, stress_count *count)
         stress_row(s, &t, "iterative", NULL, count);
     }
     if (!s->mesh && !s->exact) {
-        stress_row(s, &t, "doubling", "2e-4", count);
+        stress_row(s, &t, "doubling", "5e-4", count);
     }
 }

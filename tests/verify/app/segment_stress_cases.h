@@ -6,12 +6,13 @@
 
 typedef struct stress_table {
     stress_count count;
-    bool brief; // every line costs a second at most
+    const char *only; // lines whose words contain it; NULL: all
+    bool brief;       // every line costs a second at most
 } stress_table;
 
 static inline void table_add(stress_table *t, const stress_segment *s, bool in_brief)
 {
-    if (!t->brief || in_brief) {
+    if ((!t->brief || in_brief) && (!t->only || strstr(s->what, t->only))) {
         stress_rows(s, &t->count);
     }
 }
@@ -24,19 +25,19 @@ static inline void stress_contrasts(stress_table *t)
     for (int k = 0; k < 5; k++) {
         stress_segment s = stress_plain("stiff sector, contrast", contrast[k]);
         s.contrast = contrast[k];
-        s.truth = contrast[k] < 1e4 ? NULL : "1e-4";
+        s.truth = contrast[k] < 1e4 ? NULL : "2e-4";
         table_add(t, &s, false);
     }
     for (int k = 1; k < 5; k++) {
         stress_segment s = stress_plain("soft sector, contrast", contrast[k]);
         s.contrast = 1 / contrast[k];
-        s.truth = contrast[k] < 1e4 ? NULL : "1e-4";
+        s.truth = contrast[k] < 1e4 ? NULL : "2e-4";
         table_add(t, &s, false);
     }
     for (int k = 1; k < 5; k++) {
         stress_segment s = stress_plain("stiff sector, ends free, contrast", contrast[k]);
         s.contrast = contrast[k];
-        s.truth = contrast[k] < 1e4 ? NULL : "1e-4";
+        s.truth = contrast[k] < 1e4 ? NULL : "2e-4";
         s.ends = STRESS_FREE;
         s.exact = true;
         table_add(t, &s, k == 4);
@@ -44,7 +45,7 @@ static inline void stress_contrasts(stress_table *t)
     for (int k = 1; k < 5; k++) {
         stress_segment s = stress_plain("stiff core, contrast", contrast[k]);
         s.contrast = contrast[k];
-        s.truth = contrast[k] < 1e4 ? NULL : "1e-4";
+        s.truth = contrast[k] < 1e4 ? NULL : "2e-4";
         s.section = "    - {annulus: {outer_radius_mm: 4, inner_radius_mm: 1}, material: soft}\n"
                     "    - {annulus: {outer_radius_mm: 2, inner_radius_mm: 1}, material: stiff}\n";
         table_add(t, &s, false);
@@ -125,9 +126,9 @@ static inline void stress_lengths(stress_table *t)
     }
 }
 
-static inline stress_count stress_all(bool brief)
+static inline stress_count stress_all(bool brief, const char *only)
 {
-    stress_table t = {.brief = brief};
+    stress_table t = {.brief = brief, .only = only};
     printf("| segment | value | way | tolerance | compliance: true error | estimate | law of the "
            "middle: true error | estimate | |\n"
            "|---|---|---|---|---|---|---|---|---|\n");
