@@ -1,10 +1,10 @@
 // app/tendon_path.c
 #include "app/case_rod.h"
 
+#include "base/input_file.h"
 #include "base/memory.h"
 #include "io/key_names.h"
 #include "io/number.h"
-#include "meshes/input_file.h"
 
 #include <math.h>
 #include <string.h>

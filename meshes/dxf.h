@@ -3,7 +3,7 @@
 // ourselves; layers are the materials.
 #pragma once
 
-#include "meshes/input_file.h"
+#include "base/input_file.h"
 #include "meshes/parts.h"
 #include "meshes/shape.h"
 

@@ -2,7 +2,7 @@
 // The lines of an ASCII DXF file: pairs of a group code and a value, gathered into entities.
 #pragma once
 
-#include "meshes/input_file.h"
+#include "base/input_file.h"
 
 enum { DXF_NAME = 64 };
 

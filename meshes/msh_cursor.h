@@ -2,7 +2,7 @@
 // Reads a MSH file's numbers and words one after another, as text or as bytes.
 #pragma once
 
-#include "meshes/input_file.h"
+#include "base/input_file.h"
 
 #include <stdint.h>
 

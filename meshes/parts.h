@@ -3,8 +3,8 @@
 // part's own name.
 #pragma once
 
+#include "base/input_file.h"
 #include "meshes/drawing.h"
-#include "meshes/input_file.h"
 
 enum { PART_NONE = -1, PART_UNKNOWN = -2 };
 

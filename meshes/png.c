@@ -1,8 +1,8 @@
 // Sections drawn as images: one, or a stack of slices.
 #include "meshes/drawing.h"
 
+#include "base/input_file.h"
 #include "base/memory.h"
-#include "meshes/input_file.h"
 #include "meshes/pixel_mesh.h"
 #include "meshes/png_door.h"
 #include "meshes/png_names.h"

@@ -1,7 +1,7 @@
 // The one door to libpng: bytes in, colours out.
 #pragma once
 
-#include "meshes/input_file.h"
+#include "base/input_file.h"
 
 enum { PNG_MOST_SIDE = 1 << 16, PNG_MOST_PIXELS = 1 << 24 }; // 4096 x 4096
 

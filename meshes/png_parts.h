@@ -1,8 +1,8 @@
 // Which colour of an image is which material.
 #pragma once
 
+#include "base/input_file.h"
 #include "meshes/drawing.h"
-#include "meshes/input_file.h"
 #include "meshes/pixel_image.h"
 #include "meshes/png_door.h"
 

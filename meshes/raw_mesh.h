@@ -6,8 +6,8 @@
 // ring; ours are the lattice of Gauss-Lobatto points of base/element.h.
 #pragma once
 
+#include "base/input_file.h"
 #include "base/mesh.h"
-#include "meshes/input_file.h"
 
 #include <stdint.h>
 

@@ -2,7 +2,7 @@
 // What a file is by its first bytes, whatever its name says.
 #pragma once
 
-#include "meshes/input_file.h"
+#include "base/input_file.h"
 
 enum { SNIFF_WORDS = 96 };
 

@@ -10,9 +10,10 @@ below() {
     meshes) echo 'base meshes' ;;
     section) echo 'base meshes section' ;;
     rodsolver) echo 'base rodsolver' ;;
+    measure) echo 'base io measure' ;;
     fem) echo 'base fem' ;;
-    reports) echo 'base io meshes section rodsolver fem reports' ;;
-    app) echo 'base io meshes section rodsolver fem reports app' ;;
+    reports) echo 'base io meshes section rodsolver measure fem reports' ;;
+    app) echo 'base io meshes section rodsolver measure fem reports app' ;;
     esac
 }
 
@@ -27,10 +28,11 @@ cholmod.h section/cholmod_door.c
 omp.h section/cholmod_door.c
 petsc fem/petsc_(inside\.h|[a-z_]*door_module\.c)
 mpi.h (fem/petsc_[a-z_]*|io/hdf5_share_)door_module.c
+gsl measure/gsl_[a-z_]*door_module.c
 cairo reports/cairo_door.c'
 
 bad=0
-for room in base io meshes section rodsolver fem reports app; do
+for room in base io meshes section rodsolver measure fem reports app; do
     allowed=$(below $room | tr ' ' '|')
     wrong=$(grep -nE '^#include "' $room/*.c $room/*.h | grep -vE "#include \"($allowed)/" || true)
     if [ -n "$wrong" ]; then

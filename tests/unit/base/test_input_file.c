@@ -1,5 +1,5 @@
 // tests/unit/meshes/test_input_file.c
-#include "meshes/input_file.h"
+#include "base/input_file.h"
 #include "tests/test.h"
 
 #include <string.h>

@@ -1,5 +1,5 @@
-// meshes/input_file.c
-#include "meshes/input_file.h"
+// base/input_file.c
+#include "base/input_file.h"
 
 #include "base/memory.h"
 

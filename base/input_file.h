@@ -1,4 +1,4 @@
-// meshes/input_file.h
+// base/input_file.h
 // A file that a case names, read whole before anything looks at it: only a regular file, only up to
 // a size, never waited for.
 #pragma once
