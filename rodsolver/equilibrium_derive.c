@@ -1,7 +1,7 @@
 // rodsolver/equilibrium_derive.c
 // Derivatives of the answer by one more right-hand side each: docs/theory.md (4.27)
+#include "rodsolver/equilibrium_derive.h"
 #include "rodsolver/collocation.h"
-#include "rodsolver/equilibrium.h"
 
 #include <math.h>
 #include <string.h>
@@ -37,15 +37,7 @@ static void slope_changes(const equilibrium *e, int k, vec3 change[GAUSS_STATION
     }
 }
 
-typedef struct place {
-    int pair;
-    double s;   // [m]
-    double t;   // in panel lengths, 0 to 2
-    mat3 R;     // of the section there, base frame
-    mat6 to_gc; // strains and twists of the solve's frame -> the geometric centre's
-} place;
-
-static place find_place(const equilibrium *e, const rod_state *state, double s)
+place derive_find_place(const equilibrium *e, const rod_state *state, double s)
 {
     place at = {.s = s, .to_gc = mat6_identity()};
     const plan *p = e->plan;
@@ -64,8 +56,7 @@ static place find_place(const equilibrium *e, const rod_state *state, double s)
     return at;
 }
 
-// the body twist of the geometric centre's pose by the answer in e->phi, e->omega, e->nu
-static vec6 twist_at(const equilibrium *e, const place *at)
+vec6 derive_twist_at(const equilibrium *e, const place *at)
 {
     vec3 moved = {{0, 0, 0}}, change[PAIR_STATIONS];
     for (int k = 0; k < 2 * at->pair; k++) {
@@ -100,13 +91,12 @@ static void no_misfits(equilibrium *e)
 // part of a derivative that tensions following by friction may leave out
 static const double followed = 1e-12;
 
-// answers e->rv, e->rw with lengths changing by e->tension_step
-static void answer(equilibrium *e)
+void derive_answer(equilibrium *e)
 {
     e->lost = !friction_solve(e, followed, e->tension_step, e->step) || e->lost;
 }
 
-static status check_answers(const equilibrium *e)
+status derive_check(const equilibrium *e)
 {
     return e->lost ? status_fail(ERR_NUMERIC, "rod: no derivative with friction was found") : OK;
 }
@@ -117,7 +107,7 @@ static void answer_load(equilibrium *e, const demand *d)
     loads_of(e, d);
     no_misfits(e);
     newton_sum_misfits(e);
-    answer(e);
+    derive_answer(e);
 }
 
 static void derive_tensions(equilibrium *e, const place *at, const rod_derivatives *out)
@@ -128,8 +118,8 @@ static void derive_tensions(equilibrium *e, const place *at, const rod_derivativ
         if (!e->pulled[i]) {
             no_misfits(e);
             pull_misfit(e, i, 1);
-            answer(e);
-            twist = twist_at(e, at);
+            derive_answer(e);
+            twist = derive_twist_at(e, at);
         }
         if (out->tension) {
             out->tension[i] = twist;
@@ -144,8 +134,8 @@ static void derive_tensions(equilibrium *e, const place *at, const rod_derivativ
         if (e->pulled[i] && !e->slack[i]) {
             no_misfits(e);
             e->tension_step[i] = -1;
-            answer(e);
-            out->pull[i] = twist_at(e, at);
+            derive_answer(e);
+            out->pull[i] = derive_twist_at(e, at);
         }
     }
 }
@@ -157,7 +147,7 @@ static void derive_loads(equilibrium *e, const place *at, const rod_derivatives 
         demand_nothing(e->rod, &e->to, d);
         d->load[i] = 1;
         answer_load(e, d);
-        out->load[i] = twist_at(e, at);
+        out->load[i] = derive_twist_at(e, at);
     }
     for (int c = 0; c < 6; c++) {
         for (int body = 0; body < 2; body++) {
@@ -166,7 +156,7 @@ static void derive_loads(equilibrium *e, const place *at, const rod_derivatives 
                 demand_nothing(e->rod, &e->to, d);
                 (body ? &d->tip_body : &d->tip_space)->a[c] = 1;
                 answer_load(e, d);
-                const vec6 twist = twist_at(e, at);
+                const vec6 twist = derive_twist_at(e, at);
                 for (int i = 0; i < 6; i++) {
                     columns->a[i][c] = twist.a[i];
                 }
@@ -194,7 +184,7 @@ static void derive_base(equilibrium *e, const rod_state *state, double s, const 
         }
         d->to_base = mat3_mul(mat3_hat(mat3_tmul_vec(r->base.R, axis)), e->to.to_base);
         answer_load(e, d);
-        const vec6 twist = twist_at(e, at);
+        const vec6 twist = derive_twist_at(e, at);
         for (int i = 0; i < 6; i++) {
             out->a[i][3 + c] += twist.a[i];
         }
@@ -208,121 +198,13 @@ status rod_derive(rod_state *state, double s, const rod_derivatives *out)
     TRY(equilibrium_resume(state));
     e->lost = false;
     const double clipped = fmin(fmax(s, 0), e->rod->length);
-    const place at = find_place(e, state, clipped);
+    const place at = derive_find_place(e, state, clipped);
     derive_tensions(e, &at, out);
     derive_loads(e, &at, out);
     if (out->base) {
         derive_base(e, state, clipped, &at, out->base);
     }
-    st = check_answers(e);
-
-done:
-    return st;
-}
-
-// --- design
-
-// the geometric centre's pose in its own frame at the base, at the same part of the length
-static pose centre_pose(const equilibrium *e, const place *at)
-{
-    const plan *p = e->plan;
-    const int node = 2 * at->pair;
-    const double h = panel_length(p, node);
-    const pose left = {e->node_R[node], e->node_p[node]};
-    const pose inside = lie_pair_pose(h, &e->xi[PAIR_STATIONS * at->pair], at->t);
-    const pose g = pose_mul(e->rod->base, pose_mul(left, inside));
-    if (!p->frame) {
-        return g;
-    }
-    centre_frame f;
-    const double s = p->pair_edge[2 * at->pair] + h * at->t;
-    law_along_centre_frame(e->rod->law, s, p->frame[PAIR_STATIONS * at->pair + 2].phi, &f);
-    return pose_mul(g, pose_inverse(centre_frame_pose(&f)));
-}
-
-// misfits (body frame, into v and w) and excess lengths of another rod at this rod's strains over
-// its rest; the pose at the same part of the length
-static status evaluate(rod_state *state, const rod *other, const place *at, vec3 *v, vec3 *w,
-                       double *excess, pose *g)
-{
-    equilibrium *e = state->loaded;
-    const rod *own = e->rod;
-    const plan *p = e->plan;
-    const plan *q = &other->plans[p - own->plans];
-    if (other->nplan <= p - own->plans || q->nstation != p->nstation ||
-        other->ntendon != own->ntendon || rod_load_count(other) != rod_load_count(own)) {
-        return status_fail(ERR_INPUT, "rod: the designs that are compared have other stations, "
-                                      "tendons or loads");
-    }
-    e->rod = other;
-    e->plan = q;
-    memcpy(e->old, e->xi, (size_t)p->nstation * sizeof *e->xi);
-    for (int i = 0; i < p->nstation; i++) {
-        const vec6 strain = vec6_sub(e->xi[i], station_gather(p->rest, p->nstation, i));
-        e->xi[i] = vec6_add(station_gather(q->rest, q->nstation, i), strain);
-    }
-    equilibrium_use_plan(e, q);
-    balance_poses(e);
-    if (e->friction) {
-        balance_friction(e);
-    }
-    balance_wrenches(e, e->line, e->node);
-    const bool good = balance_stations(e, false);
-    balance_lengths(e, e->length);
-    for (int i = 0; i < own->ntendon; i++) {
-        excess[i] = e->pulled[i] ? pull_excess(e, i) : 0;
-    }
-    for (int i = 0; i < p->nstation; i++) {
-        v[i] = mat3_tmul_vec(e->state[i].R, e->state[i].rv);
-        w[i] = mat3_tmul_vec(e->state[i].R, e->state[i].rw);
-    }
-    *g = centre_pose(e, at);
-    memcpy(e->xi, e->old, (size_t)p->nstation * sizeof *e->xi);
-    e->rod = own;
-    equilibrium_use_plan(e, p);
-    return good ? OK : status_fail(ERR_NUMERIC, "rod: a tendon is eaten up in another design");
-}
-
-// (g^-1 (plus - minus))^vee / (2 step)
-static vec6 pose_rate(const pose *plus_pose, const pose *minus_pose, const mat3 *R, double step)
-{
-    const vec3 dp = vec3_scale(1 / (2 * step), vec3_sub(plus_pose->p, minus_pose->p));
-    const mat3 a = mat3_mul(mat3_transpose(*R), plus_pose->R);
-    const mat3 b = mat3_mul(mat3_transpose(*R), minus_pose->R);
-    const vec3 v = mat3_tmul_vec(*R, dp);
-    const double c = 1 / (4 * step);
-    return (vec6){{v.a[0], v.a[1], v.a[2], c * (a.a[2][1] - a.a[1][2] - b.a[2][1] + b.a[1][2]),
-                   c * (a.a[0][2] - a.a[2][0] - b.a[0][2] + b.a[2][0]),
-                   c * (a.a[1][0] - a.a[0][1] - b.a[1][0] + b.a[0][1])}};
-}
-
-status rod_derive_design(rod_state *state, const rod *plus_rod, const rod *minus_rod, double step,
-                         double s, vec6 *out)
-{
-    status st = OK;
-    equilibrium *e = state->loaded;
-    pose g[2];
-    TRY(equilibrium_resume(state));
-    const place at = find_place(e, state, fmin(fmax(s, 0), e->rod->length));
-    TRY(evaluate(state, plus_rod, &at, e->kept_v, e->kept_w, e->tension_slope, &g[0]));
-    TRY(evaluate(state, minus_rod, &at, e->rv, e->rw, e->tension_old, &g[1]));
-    memcpy(e->arc_v, e->rv, (size_t)e->plan->nstation * sizeof *e->rv);
-    memcpy(e->arc_w, e->rw, (size_t)e->plan->nstation * sizeof *e->rw);
-    TRY(equilibrium_resume(state));
-    e->lost = false;
-    const double c = 1 / (2 * step);
-    for (int i = 0; i < e->plan->nstation; i++) {
-        const mat3 *R = &e->state[i].R;
-        e->rv[i] = mat3_mul_vec(*R, vec3_scale(c, vec3_sub(e->kept_v[i], e->arc_v[i])));
-        e->rw[i] = mat3_mul_vec(*R, vec3_scale(c, vec3_sub(e->kept_w[i], e->arc_w[i])));
-    }
-    for (int i = 0; i < e->rod->ntendon; i++) {
-        e->tension_step[i] = -c * (e->tension_slope[i] - e->tension_old[i]);
-    }
-    answer(e);
-    TRY(check_answers(e));
-    const mat3 R = mat3_mul(mat3_transpose(state->base.R), rod_pose_at(state, at.s).R);
-    *out = vec6_add(twist_at(e, &at), pose_rate(&g[0], &g[1], &R, step));
+    st = derive_check(e);
 
 done:
     return st;

@@ -220,6 +220,11 @@ status rod_derive(rod_state *state, double s, const rod_derivatives *out);
 status rod_derive_design(rod_state *state, const rod *plus, const rod *minus, double step, double s,
                          vec6 *out);
 
+// The same towards one other rod, made with the parameter larger by `step` (smaller where step <
+// 0): off by O(step). Two of them, D(h) and D(-h), or at the end of a parameter's range D(h) and
+// D(2 h), leave O(step^2): (D(h) + D(-h)) / 2 and 2 D(h) - D(2 h).
+status rod_derive_towards(rod_state *state, const rod *other, double step, double s, vec6 *out);
+
 // The compliance of the straight rod clamped at its base: the linear limit, for `compare`. Wrench
 // (F, M) at the tip -> motion (u, phi) of the tip, fixed base axes, by ngauss <= 32 points per
 // panel of the law.
