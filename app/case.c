@@ -170,17 +170,17 @@ done:
     return st;
 }
 
-static status check_parts(case_data *c)
+static status check_parts(case_data *c, bool only_rod)
 {
     status st = OK;
     char folder[PATH_MAX];
     TRY(bind_materials(c));
-    TRY(check_section(c));
+    TRY(only_rod ? OK : check_section(c));
     if (case_has_rod(c)) {
         folder_of(config_path(c->config), folder, sizeof folder);
         TRY(case_rod_bind(c, folder[0] ? folder : NULL));
     }
-    if (case_has_segment(c)) {
+    if (case_has_segment(c) && !only_rod) {
         TRY(case_segment_check(c));
     }
 
@@ -195,7 +195,9 @@ status case_open(const case_request *request, case_data *out)
     key_table root;
     case_file initial;
 
-    TRY(config_open(request->path, request->noverride, request->overrides, &c.config));
+    TRY(request->again
+            ? config_open_again(request->again, request->noverride, request->overrides, &c.config)
+            : config_open(request->path, request->noverride, request->overrides, &c.config));
     TRY(peek_length(&c, &rod_keys, "rod.length"));
     TRY(peek_length(&c, &segment_keys, "fem.length"));
     if (c.length > 0) {
@@ -205,7 +207,7 @@ status case_open(const case_request *request, case_data *out)
     TRY(config_read(c.config, &root, &c.file));
     c.nmaterial = c.file.materials.count;
     c.materials = c.file.materials.items;
-    TRY(check_parts(&c));
+    TRY(check_parts(&c, request->only_rod));
     *out = c;
     c = (case_data){0};
 

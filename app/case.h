@@ -37,6 +37,8 @@ typedef struct case_request {
     int noverride;
     const char *const *overrides; // KEY=VALUE
     bool allow_scripts;           // a `geo:` section may run
+    const config *again;          // the text and overrides of this one come first; NULL: path
+    bool only_rod;                // the section is not opened nor checked: it is known otherwise
 } case_request;
 
 // Reads and checks. Every mistake is ERR_INPUT, "FILE:LINE:COL: error: ...".

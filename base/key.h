@@ -26,6 +26,7 @@ typedef enum key_kind {
     KEY_ROWS,    // key_rows: a list of lists of `count` numbers (count 0: all rows as long as the
                  // first)
     KEY_TABLE,   // a struct in place, by `table`
+    KEY_TEXTS,   // key_list of key_text: a yaml list of texts, or a single one
     KEY_LIST,    // key_list of structs by `table`; a yaml list
     KEY_NAMED,   // key_list of structs by `table`; a yaml map name -> entry; .name (const char *)
                  // follows the mark
@@ -74,7 +75,7 @@ typedef struct key {
     double min, max; // SI, both included; not checked where both are 0
     int count;       // KEY_VECTOR, KEY_FIELDS, KEY_ROWS
     bool open;       // KEY_ROWS: an entry may be `~`, which is read as NAN
-    int max_count;   // KEY_ROWS, KEY_LIST, KEY_NAMED: entries at most; 0 means 10000
+    int max_count;   // KEY_ROWS, KEY_TEXTS, KEY_LIST, KEY_NAMED: entries at most; 0 means 10000
     bool required;
     int one_of; // keys of a table with the same n > 0: exactly one is given; n < 0: at most one
     const char *choices; // KEY_CHOICE: "first|second|third"

@@ -10,13 +10,17 @@
 #include <stdio.h>
 #include <string.h>
 
-static status copy_overrides(config *cfg, int count, const char *const *overrides)
+// those of `opened` first
+static status copy_overrides(config *cfg, const config *opened, int count,
+                             const char *const *overrides)
 {
     status st = OK;
-    TRY(ARENA_TAKE(cfg->memory, cfg->overrides, (size_t)count));
-    cfg->noverride = count;
-    for (int i = 0; i < count; i++) {
-        TRY(arena_copy(cfg->memory, overrides[i], strlen(overrides[i]), &cfg->overrides[i]));
+    const int before = opened ? opened->noverride : 0;
+    TRY(ARENA_TAKE(cfg->memory, cfg->overrides, (size_t)(before + count)));
+    cfg->noverride = before + count;
+    for (int i = 0; i < before + count; i++) {
+        const char *text = i < before ? opened->overrides[i] : overrides[i - before];
+        TRY(arena_copy(cfg->memory, text, strlen(text), &cfg->overrides[i]));
     }
 
 done:
@@ -41,7 +45,20 @@ done:
     return st;
 }
 
-status config_open(const char *path, int noverride, const char *const *overrides, config **out)
+static status copy_text(const config *from, config *cfg)
+{
+    status st = OK;
+    TRY(TAKE(cfg->text, from->length + 1)); // ends with 0
+    memcpy(cfg->text, from->text, from->length);
+    cfg->length = from->length;
+
+done:
+    return st;
+}
+
+// opened: where the text comes from; NULL: the file
+static status open_config(const char *path, const config *opened, int noverride,
+                          const char *const *overrides, config **out)
 {
     status st = OK;
     config *cfg = NULL;
@@ -51,8 +68,8 @@ status config_open(const char *path, int noverride, const char *const *overrides
     TRY(calculator_make(&cfg->arithmetic));
     TRY(TAKE(cfg->path, strlen(path) + 1));
     memcpy(cfg->path, path, strlen(path));
-    TRY(copy_overrides(cfg, noverride, overrides));
-    TRY(case_text_load(cfg));
+    TRY(copy_overrides(cfg, opened, noverride, overrides));
+    TRY(opened ? copy_text(opened, cfg) : case_text_load(cfg));
     TRY(read_tree(cfg));
     *out = cfg;
     cfg = NULL;
@@ -60,6 +77,17 @@ status config_open(const char *path, int noverride, const char *const *overrides
 done:
     config_free(cfg);
     return st;
+}
+
+status config_open(const char *path, int noverride, const char *const *overrides, config **out)
+{
+    return open_config(path, NULL, noverride, overrides, out);
+}
+
+status config_open_again(const config *opened, int noverride, const char *const *overrides,
+                         config **out)
+{
+    return open_config(opened->path, opened, noverride, overrides, out);
 }
 
 void config_free(config *cfg)

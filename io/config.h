@@ -25,6 +25,9 @@ enum {
 // by its number from 0 or by its `name`. Their place in messages is "--set 'TEXT'" (their marks
 // have lines of 1 << 28 and more). A missing or unreadable file is ERR_INPUT too.
 status config_open(const char *path, int noverride, const char *const *overrides, config **out);
+// The same text and overrides, and more of these; nothing is read from disk.
+status config_open_again(const config *opened, int noverride, const char *const *overrides,
+                         config **out);
 void config_free(config *cfg);
 
 const char *config_path(const config *cfg);
@@ -63,6 +66,10 @@ void config_place_text(const config *cfg, mark at, char text[CONFIG_PLACE_TEXT])
 struct json;
 status schema_write(const key_table *root, struct json *out);
 status schema_markdown(const key_table *root, void *stdio_stream);
+
+// The unit that a written key ends with ("mm" of "rod.length_mm"), "" where it has none, and its
+// factor to SI.
+const char *key_written_unit(const char *written, double *factor);
 
 // All names under which a key may be written ("length_mm", ...) with the factor to SI; count of
 // them.

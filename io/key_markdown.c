@@ -47,6 +47,7 @@ static void put_value(FILE *stream, const key *k)
         [KEY_NAME] = "name",
         [KEY_FIELD] = "number or expression in s",
         [KEY_PLACE] = "number or expression in x, y and s, all in metres",
+        [KEY_TEXTS] = "list of texts, or one",
         [KEY_TABLE] = "map of",
         [KEY_LIST] = "list of",
         [KEY_NAMED] = "map from names to",

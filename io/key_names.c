@@ -238,6 +238,23 @@ bool key_same_base(const char *a, const char *b)
     return false;
 }
 
+const char *key_written_unit(const char *written, double *factor)
+{
+    const char *dot = strrchr(written, '.'), *name = dot ? dot + 1 : written;
+    // the longest one that fits: kg_per_m3 before m3
+    for (const char *end = strchr(name, '_'); end; end = strchr(end + 1, '_')) {
+        for (int d = DIM_NONE + 1; d < DIM_COUNT; d++) {
+            const unit *u = find_unit((dimension)d, end + 1);
+            if (u) {
+                *factor = u->factor;
+                return u->name;
+            }
+        }
+    }
+    *factor = 1;
+    return "";
+}
+
 status key_tables_collect(const key_table *root, key_tables *out)
 {
     for (int i = 0; i < root->nkey; i++) {

@@ -76,6 +76,25 @@ static status read_name(const value_key *v, const node *n, key_text *out)
     return value_text(v, n, &out->text);
 }
 
+// a list of texts; one text alone is a list of one
+static status read_texts(const value_key *v, const node *n, key_list *out)
+{
+    const bool list = n->kind == NODE_LIST;
+    const int count = list ? n->count : 1;
+    key_text *item = NULL;
+    status st = value_count(v, n, count);
+    if (st == OK) {
+        st = arena_take(v->cfg->memory, (void **)&item, (size_t)count, sizeof *item);
+    }
+    *out = (key_list){.at = n->at, .count = count, .items = item};
+    const node *entry = list ? n->first : n;
+    for (int i = 0; i < count && st == OK; i++) {
+        st = read_name(v, entry, &item[i]);
+        entry = entry->next;
+    }
+    return st;
+}
+
 static status read_value(const value_key *v, const node *n, char *struct_start)
 {
     void *out = struct_start + v->k->offset;
@@ -102,6 +121,8 @@ static status read_value(const value_key *v, const node *n, char *struct_start)
         return value_fields(v, n, out);
     case KEY_ROWS:
         return value_rows(v, n, out);
+    case KEY_TEXTS:
+        return read_texts(v, n, out);
     case KEY_TABLE:
         return read_inner_table(v, n, out);
     case KEY_LIST:

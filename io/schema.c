@@ -108,6 +108,24 @@ static void write_choices(json *out, const char *choices)
     json_array_end(out);
 }
 
+// a list of texts, or one
+static void write_texts(json *out, int most)
+{
+    json_array(out, "anyOf");
+    json_object(out, NULL);
+    write_types(out, "string", "number", false);
+    json_object_end(out);
+    json_object(out, NULL);
+    json_text(out, "type", "array");
+    json_object(out, "items");
+    write_types(out, "string", "number", false);
+    json_object_end(out);
+    json_integer(out, "minItems", 1);
+    json_integer(out, "maxItems", most);
+    json_object_end(out);
+    json_array_end(out);
+}
+
 static void write_kind(schema *s, const key *k, const unit *u)
 {
     const int most = k->max_count > 0 ? k->max_count : KEY_MAX_COUNT;
@@ -134,6 +152,9 @@ static void write_kind(schema *s, const key *k, const unit *u)
         break;
     case KEY_ROWS:
         write_rows(s->out, k, u);
+        break;
+    case KEY_TEXTS:
+        write_texts(s->out, most);
         break;
     case KEY_TABLE:
         write_reference(s, NULL, k->table);

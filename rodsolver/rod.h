@@ -193,6 +193,9 @@ status rod_batch(const rod *r, int nthread, int n, const double *tension, const 
 // Poses of the geometric centreline at npoint equally spaced arclengths, ends included [npoint].
 status rod_shape(const rod_state *state, int npoint, double *s, pose *out);
 
+// The pose of the geometric centreline at one arclength, clipped to [0, length].
+status rod_pose(const rod_state *state, double s, pose *out);
+
 // The strain xi in the frame of the geometric centre at arclength s.
 status rod_strain_at(const rod_state *state, double s, vec6 *xi);
 

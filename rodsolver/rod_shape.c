@@ -40,6 +40,15 @@ status rod_shape(const rod_state *state, int npoint, double *s, pose *out)
     return OK;
 }
 
+status rod_pose(const rod_state *state, double s, pose *out)
+{
+    if (!state->solved) {
+        return status_fail(ERR_BUG, "rod: a pose is asked for before a solution");
+    }
+    *out = rod_pose_at(state, fmin(fmax(s, 0), state->rod->length));
+    return OK;
+}
+
 // the strain over the reference by the polynomial through the pair's stations, at the geometric
 // centre
 static vec6 strain_between(const rod_state *state, double s)
