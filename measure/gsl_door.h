@@ -30,6 +30,8 @@ typedef struct gsl_fit_door {
     // x [nparameter]: the start in, the answer out. ERR_NUMERIC where it does not converge or the
     // parameters cannot be told apart.
     status (*least_squares)(const least_squares *problem, double *x, least_squares_answer *answer);
+    // Of a symmetric matrix [n][n]: values ascending [n], vectors as columns [n][n].
+    status (*eigen)(int n, const double *a, double *value, double *vector);
 } gsl_fit_door;
 
 typedef struct gsl_random gsl_random; // Mersenne twister: the same numbers for the same seed
