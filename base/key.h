@@ -46,6 +46,7 @@ typedef enum dimension {
     DIM_ACCELERATION,      // _m_per_s2
     DIM_FORCE_PER_VOLUME,  // _N_per_mm3 _N_per_m3; of an elastic foundation per area and length
     DIM_MOMENT_PER_ANGLE,  // _Nm_per_rad _Nmm_per_rad
+    DIM_AREA,              // _mm2 _m2 _cm2
     DIM_COUNT,
 } dimension;
 

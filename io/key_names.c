@@ -25,6 +25,7 @@ int unit_list(dimension d, const unit **list)
     static const unit acceleration[] = {{"m_per_s2", 1}};
     static const unit volume_force[] = {{"N_per_mm3", 1e9}, {"N_per_m3", 1}};
     static const unit angle_moment[] = {{"Nm_per_rad", 1}, {"Nmm_per_rad", 1e-3}};
+    static const unit area[] = {{"mm2", 1e-6}, {"m2", 1}, {"cm2", 1e-4}};
     static const struct {
         const unit *list;
         int count;
@@ -42,6 +43,7 @@ int unit_list(dimension d, const unit **list)
         [DIM_ACCELERATION] = {acceleration, sizeof acceleration / sizeof *acceleration},
         [DIM_FORCE_PER_VOLUME] = {volume_force, sizeof volume_force / sizeof *volume_force},
         [DIM_MOMENT_PER_ANGLE] = {angle_moment, sizeof angle_moment / sizeof *angle_moment},
+        [DIM_AREA] = {area, sizeof area / sizeof *area},
     };
     *list = all[d].list;
     return all[d].count;

@@ -191,19 +191,20 @@ static void damaged_tables_name_their_line(const char *dir)
     static const struct {
         const char *text, *words;
     } all[] = {
-        {"", "0 rows: a path takes two or more"},
+        {"", "path.csv: it is empty"},
         {"s_mm,x_mm,y_mm\n0,0,0\n", "1 rows: a path takes two or more"},
-        {"s_mm,x_mm\n0,0\n", "path.csv:1: no column 'y_mm'"},
-        {"s_mm,x_mm,y_mm,s_m\n", "path.csv:1: two columns 's'"},
-        {"0,1,2\n1,2,3\n", "path.csv:1: no column 's_mm'"},
+        {"s_mm,x_mm\n0,0\n1,0\n", "path.csv:1: no column 'y_mm'"},
+        {"s_mm,x_mm,y_mm,s_m\n0,1,2,0\n1,2,3,0\n", "path.csv:1: two columns 's'"},
+        {"0,1,2\n1,2,3\n", "path.csv:1: numbers without a line of names"},
+        {"s_mm,x_mm,y_mm\n", "path.csv: no row of numbers under a line of names"},
         {"s_mm,x_mm,y_mm\n0,0,0\n1,0\n", "path.csv:3: 2 columns, but 3 names"},
-        {"s_mm,x_mm,y_mm\n0,0,0\n1,,0\n", "path.csv:3: '' is not a number"},
+        {"s_mm,x_mm,y_mm\n0,0,0\n1,,0\n", "path.csv:3: a path has no gaps, and 'x' is missing"},
         {"s_mm,x_mm,y_mm\n0,0,0\n1,nan,0\n", "path.csv:3: 'nan' is not a number"},
         {"s_mm,x_mm,y_mm\n0,0,0\n1,1e999,0\n", "path.csv:3: '1e999' is not a number"},
         {"s_mm,x_mm,y_mm\n0,0,0\n1,0x10,0\n", "path.csv:3: '0x10' is not a number"},
         {"s_mm,x_mm,y_mm\n0,0,0\n1,=cmd(),0\n", "path.csv:3: '=cmd()' is not a number"},
         {"aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa\n",
-         "path.csv:1: this is no line of a table"},
+         "path.csv: no row of numbers under a line of names"},
     };
     for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
         file_is(dir, all[i].text, strlen(all[i].text));
