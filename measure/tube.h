@@ -20,7 +20,7 @@ typedef struct tube_options {
     double noise;       // of the scanner [m]; NAN: found
     double longest_gap; // without points that is bridged [m]; NAN: six radii
     double spacing;     // of the answer's points along s [m]; NAN: a quarter radius
-    double roughness;   // weight of the roughness penalty; NAN: by cross-validation
+    double smoothing;   // length below which the line is smoothed [m]; NAN: by cross-validation
     unsigned long seed; // of the random choice of places to begin at
     void (*progress)(void *context, double share); // 0 to 1; may be NULL
     void *context;
@@ -52,7 +52,7 @@ typedef struct tube_report {
     double radius_free,
         radius_free_sigma; // what the points alone say, also where a radius was given
     bool radius_differs;   // a given radius differs from that by more than 1 % and 6 sigma
-    double roughness;      // weight that was used
+    double smoothing;      // length that was used [m]
     double freedom;        // parameters that the points decided, of the line
     int ngap;
     tube_gap gap[TUBE_MOST_GAPS];
