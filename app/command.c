@@ -199,7 +199,9 @@ static status check_command(const command *cmd)
                                options[i].name, sub->name, options[i].only);
         }
     }
-    if (cmd->noverride > 0 && !(sub->argument && strcmp(sub->argument, "CASE") == 0)) {
+    const bool settings = sub->argument && (strcmp(sub->argument, "CASE") == 0 ||
+                                            strcmp(sub->argument, "CLOUD") == 0);
+    if (cmd->noverride > 0 && !settings) {
         return status_fail(ERR_INPUT, "%s reads no case, so --set has nothing to override",
                            sub->name);
     }

@@ -18,6 +18,8 @@ typedef struct contents {
     const run_result *report;
     const char *name, *text; // one text; NULL: none
     size_t length;
+    save_write *write; // NULL: nothing of its own
+    const void *data;
 } contents;
 
 status save_check(const command *cmd)
@@ -93,6 +95,7 @@ static status write_contents(const outdir *d, const contents *what)
     if (what->name) {
         TRY(write_text(d, what->name, what->text, what->length));
     }
+    TRY(what->write ? what->write(directory, what->data) : OK);
     TRY(still_wanted());
 
 done:
@@ -136,6 +139,15 @@ status save_report(const command *cmd, const char *directory, const run_result *
     }
     command_progress(cmd, "writing");
     return save(directory, cmd->force, &(contents){.report = r});
+}
+
+status save_files(const command *cmd, save_write *write, const void *data)
+{
+    if (!cmd->out || !cmd->first_rank) {
+        return OK;
+    }
+    command_progress(cmd, "writing");
+    return save(cmd->out, cmd->force, &(contents){.write = write, .data = data});
 }
 
 status save_text(const command *cmd, const char *name, const char *text, size_t length)

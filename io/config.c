@@ -90,6 +90,21 @@ status config_open_again(const config *opened, int noverride, const char *const 
     return open_config(opened->path, opened, noverride, overrides, out);
 }
 
+status config_open_text(const char *path, const char *text, int noverride,
+                        const char *const *overrides, config **out)
+{
+    char *same = NULL;
+    status st = OK;
+    TRY(TAKE(same, strlen(text) + 1));
+    memcpy(same, text, strlen(text));
+    TRY(open_config(path, &(config){.text = same, .length = strlen(text)}, noverride, overrides,
+                    out));
+
+done:
+    free(same);
+    return st;
+}
+
 void config_free(config *cfg)
 {
     if (cfg) {

@@ -28,6 +28,9 @@ status config_open(const char *path, int noverride, const char *const *overrides
 // The same text and overrides, and more of these; nothing is read from disk.
 status config_open_again(const config *opened, int noverride, const char *const *overrides,
                          config **out);
+// A text that no file holds, under the name of `path` in messages.
+status config_open_text(const char *path, const char *text, int noverride,
+                        const char *const *overrides, config **out);
 void config_free(config *cfg);
 
 const char *config_path(const config *cfg);
