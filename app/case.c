@@ -3,6 +3,7 @@
 
 #include "app/case_rod.h"
 #include "app/case_segment.h"
+#include "app/measured_case.h"
 
 #include <limits.h>
 #include <stdio.h>
@@ -43,6 +44,11 @@ static const key root_keys[] = {
      .offset = offsetof(case_file, fem),
      .table = &segment_keys,
      .about = "a segment of the rod in 3D"},
+    {.name = "measured",
+     .kind = KEY_TABLE,
+     .offset = offsetof(case_file, measured),
+     .table = &measured_keys,
+     .about = "shapes of the rod that were measured"},
 };
 
 void case_keys(key_table *root, case_file *initial)
@@ -170,6 +176,14 @@ done:
     return st;
 }
 
+// measured shapes belong to the case as it stands, not to what is made of it
+static status check_measured(case_data *c, bool again)
+{
+    char folder[PATH_MAX];
+    folder_of(config_path(c->config), folder, sizeof folder);
+    return case_has_measured(c) && !again ? case_measured_bind(c, folder[0] ? folder : NULL) : OK;
+}
+
 static status check_parts(case_data *c, bool only_rod)
 {
     status st = OK;
@@ -208,6 +222,7 @@ status case_open(const case_request *request, case_data *out)
     c.nmaterial = c.file.materials.count;
     c.materials = c.file.materials.items;
     TRY(check_parts(&c, request->only_rod));
+    TRY(check_measured(&c, request->again != NULL));
     *out = c;
     c = (case_data){0};
 
@@ -229,6 +244,7 @@ void case_free(case_data *c)
 {
     section_case_release(&c->file.section);
     rod_case_release(&c->file.rod);
+    measured_case_release(&c->file.measured);
     config_free(c->config);
     *c = (case_data){0};
 }

@@ -7,6 +7,7 @@
 #include "base/material.h"
 #include "fem/segment.h"
 #include "io/config.h"
+#include "measure/measured_keys.h"
 #include "rodsolver/rod.h"
 #include "rodsolver/rod_case.h"
 #include "section/section.h"
@@ -20,6 +21,7 @@ typedef struct case_file {
     section_case section;
     rod_case rod;
     segment_case fem;
+    measured_case measured;
 } case_file;
 
 // A case that was read. Texts and expressions belong to `config`, which lives as long as this.

@@ -1,0 +1,12 @@
+// measure/line_file.h
+// A measured centreline from a table: columns s, x, y, z and, where known, sigma, each with its
+// unit of length; columns of other names are passed over.
+#pragma once
+
+#include "base/key.h"
+#include "measure/centreline.h"
+
+// `length` of the rod [m]: an arclength that cannot be one of it has the wrong unit. ERR_FILE
+// "FILE:LINE: words" for gaps, an arclength that does not ascend from the base, fewer than two
+// places, places that are further apart than their arclengths, units that cannot be right.
+status line_file_read(const char *directory, const key_text *name, double length, centreline *out);
