@@ -67,6 +67,7 @@ status cmd_fem(command *cmd);
 status cmd_compare(command *cmd);
 status cmd_report(command *cmd);
 status cmd_check(command *cmd);
+status cmd_scan(command *cmd);
 status cmd_schema(command *cmd);
 status cmd_example(command *cmd);
 status cmd_doctor(command *cmd);

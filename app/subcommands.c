@@ -32,6 +32,16 @@ static const subcommand list[] = {
      "the directory stands beside RESULT: results/fig4 and results/fig4/result.hdf give\n"
      "results/fig4-report, a copy mine.hdf gives mine-report.\n",
      "stiffaxis report results/fig4/result.hdf --out results/fig4-again"},
+    {"scan", "CLOUD", cmd_scan, "a scanned tube's points to its centreline",
+     "CLOUD: PLY, PCD, XYZ or CSV; or a YAML file, `format: 1`, `scan: {cloud: FILE, ...}`. "
+     "Lengths\n"
+     "in the file are mm unless --set scan.unit=m or its columns say else. What is known of the "
+     "body\n"
+     "helps: scan.radius_mm, scan.length_mm, scan.base.point_mm. The rod's frame comes from\n"
+     "scan.fiducials (three or more), or scan.plate and scan.mark. With --out DIR: "
+     "centreline.csv,\n"
+     "which a case's `measured` reads, scan.json, a picture, a line for ParaView.\n",
+     "stiffaxis scan helix.ply --set scan.radius_mm=4 --out results/helix"},
     {"check", "CASE", cmd_check, "reads and validates only",
      "Every mistake in a case is one line FILE:LINE:COL: error: ..., and exit code 2.\n",
      "stiffaxis check fig4.yaml"},

@@ -37,17 +37,17 @@ typedef struct plane_options {
     unsigned long seed;
 } plane_options;
 
-typedef struct plane {
+typedef struct cloud_plane {
     vec3 centre, normal; // of the points on it
     size_t count;        // of them
     double sigma;        // their distance from it, root mean square [m]
     mat3 axes;           // rows: two directions in the plane, the normal
     double spread[2];    // root mean square of the points along these [m]
-} plane;
+} cloud_plane;
 
 // The plane that holds most points, by random triples, then least squares over the points on it.
 // ERR_FILE where no plane has more of them than chance.
-status plane_find(const point_cloud *cloud, const plane_options *options, plane *out);
+status plane_find(const point_cloud *cloud, const plane_options *options, cloud_plane *out);
 
 // A known direction across the rod: the feature `cloud` is seen from the axis at `angle`.
 typedef struct axis_mark {
@@ -70,7 +70,7 @@ typedef struct base_frame {
 status registration_axis(const base_frame *base, registration *out);
 
 // Where the plane cuts a line through p along `direction`; and how well the plane says so [m].
-vec3 plane_cut(const plane *plane, vec3 p, vec3 direction, double *height_sigma);
+vec3 plane_cut(const cloud_plane *plane, vec3 p, vec3 direction, double *height_sigma);
 
 // The covariance that the registration alone gives to a place of the rod's frame [m^2].
 mat3 registration_covariance_at(const registration *r, vec3 rod);

@@ -55,13 +55,13 @@ done:
     return st;
 }
 
-static double distance(const plane *p, vec3 at)
+static double distance(const cloud_plane *p, vec3 at)
 {
     return vec3_dot(p->normal, vec3_sub(at, p->centre));
 }
 
 // every n-th point judges: the sum of its squared distance within the noise' reach, 1 each beyond
-static double cost_of(const plane_search *f, const plane *p, size_t step)
+static double cost_of(const plane_search *f, const cloud_plane *p, size_t step)
 {
     const double reach = REACH_OF_NOISE * f->options->noise;
     double cost = 0;
@@ -73,7 +73,7 @@ static double cost_of(const plane_search *f, const plane *p, size_t step)
 }
 
 static bool through(const plane_search *f, const gsl_random_door *door, gsl_random *random,
-                    plane *out)
+                    cloud_plane *out)
 {
     vec3 p[3];
     for (int k = 0; k < 3; k++) {
@@ -87,11 +87,11 @@ static bool through(const plane_search *f, const gsl_random_door *door, gsl_rand
     if (!(size > least * fmax(vec3_norm(a), vec3_norm(b)))) {
         return false;
     }
-    *out = (plane){.centre = p[0], .normal = vec3_scale(1 / size, n)};
+    *out = (cloud_plane){.centre = p[0], .normal = vec3_scale(1 / size, n)};
     return true;
 }
 
-static status best_triple(const plane_search *f, plane *out)
+static status best_triple(const plane_search *f, cloud_plane *out)
 {
     status st = OK;
     const gsl_random_door *door = NULL;
@@ -101,7 +101,7 @@ static status best_triple(const plane_search *f, plane *out)
     TRY(gsl_random_door_open(&door));
     TRY(door->make(f->options->seed, &random));
     for (int i = 0; i < TRIES; i++) {
-        plane p;
+        cloud_plane p;
         const double cost = through(f, door, random, &p) ? cost_of(f, &p, step) : INFINITY;
         if (cost < best) {
             best = cost;
@@ -120,9 +120,9 @@ done:
 }
 
 // least squares over what lies within `reach` of the plane
-static plane refine(const plane_search *f, const plane *p, double reach)
+static cloud_plane refine(const plane_search *f, const cloud_plane *p, double reach)
 {
-    plane q = {0};
+    cloud_plane q = {0};
     mat3 scatter = {0};
     double value[EIGEN_MOST], vector[EIGEN_MOST][EIGEN_MOST];
     vec3 sum = {{0, 0, 0}};
@@ -159,7 +159,7 @@ static plane refine(const plane_search *f, const plane *p, double reach)
     return q;
 }
 
-static status check_plane(const plane_search *f, const plane *p)
+static status check_plane(const plane_search *f, const cloud_plane *p)
 {
     // a strip along a body is no plate, and a tenth of the points may lie within any slice
     static const double LEAST_SPREAD = 10, LEAST_SHARE = 0.03;
@@ -172,11 +172,11 @@ static status check_plane(const plane_search *f, const plane *p)
     return OK;
 }
 
-status plane_find(const point_cloud *cloud, const plane_options *options, plane *out)
+status plane_find(const point_cloud *cloud, const plane_options *options, cloud_plane *out)
 {
     status st = OK;
     plane_search f = {.cloud = cloud, .options = options};
-    plane p = {0};
+    cloud_plane p = {0};
     TRY(gather(&f));
     TRY(best_triple(&f, &p));
     for (int i = 0; i < REFINEMENTS; i++) {
@@ -192,7 +192,7 @@ done:
     return st;
 }
 
-vec3 plane_cut(const plane *plane, vec3 p, vec3 direction, double *height_sigma)
+vec3 plane_cut(const cloud_plane *plane, vec3 p, vec3 direction, double *height_sigma)
 {
     const double k = distance(plane, p) / vec3_dot(plane->normal, direction);
     const vec3 cut = vec3_add_scaled(p, -k, direction), d = vec3_sub(cut, plane->centre);

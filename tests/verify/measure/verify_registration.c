@@ -192,7 +192,7 @@ static void make_plate(pose g, double noise, point_cloud *c)
     }
 }
 
-static double tilt_squared(const plane *p, pose g)
+static double tilt_squared(const cloud_plane *p, pose g)
 {
     const double z = fabs(vec3_dot(mat3_mul_vec(g.R, p->normal), (vec3){{0, 0, 1}}));
     return 2 * (1 - fmin(z, 1)); // both directions
@@ -206,7 +206,7 @@ static void plate_is_found_as_well_as_told(void)
     for (int trial = 0; trial < TRIALS; trial++) {
         const pose g = random_pose();
         point_cloud c = {0};
-        plane p;
+        cloud_plane p;
         make_plate(g, noise, &c);
         const plane_options o = {
             .near = {{NAN, 0, 0}}, .reach = INFINITY, .noise = 2e-4, .seed = (unsigned)trial + 1};
@@ -233,7 +233,7 @@ static void plate_is_found_as_well_as_told(void)
 static void no_plate_is_told(void)
 {
     point_cloud c = {0};
-    plane p;
+    cloud_plane p;
     CHECK_OK(TAKE(c.p, 2000));
     for (int i = 0; i < 2000; i++) {
         const vec3 at = normal3(0.02);
