@@ -4,6 +4,7 @@
 #include "app/case_rod.h"
 #include "app/case_segment.h"
 #include "app/measured_case.h"
+#include "app/sensitivity.h"
 
 #include <limits.h>
 #include <stdio.h>
@@ -49,6 +50,11 @@ static const key root_keys[] = {
      .offset = offsetof(case_file, measured),
      .table = &measured_keys,
      .about = "shapes of the rod that were measured"},
+    {.name = "sensitivity",
+     .kind = KEY_TABLE,
+     .offset = offsetof(case_file, sensitivity),
+     .table = &sensitivity_keys,
+     .about = "what moves the rod's answer"},
 };
 
 void case_keys(key_table *root, case_file *initial)
@@ -58,6 +64,7 @@ void case_keys(key_table *root, case_file *initial)
         .section = *(const section_case *)section_keys.initial,
         .rod = rod_case_default(),
         .fem = segment_case_default(),
+        .sensitivity = {.monte_carlo = {.seed = 1}},
     };
     *root = (key_table){
         .name = "case",
@@ -223,6 +230,7 @@ status case_open(const case_request *request, case_data *out)
     c.materials = c.file.materials.items;
     TRY(check_parts(&c, request->only_rod));
     TRY(check_measured(&c, request->again != NULL));
+    TRY(case_has_sensitivity(&c) && !request->again ? sensitivity_check(&c) : OK);
     *out = c;
     c = (case_data){0};
 
@@ -257,6 +265,11 @@ bool case_has_rod(const case_data *c)
 bool case_has_segment(const case_data *c)
 {
     return mark_given(c->file.fem.at);
+}
+
+bool case_has_sensitivity(const case_data *c)
+{
+    return mark_given(c->file.sensitivity.at);
 }
 
 static status need(const case_data *c, bool there, const char *part)

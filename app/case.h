@@ -4,6 +4,7 @@
 #pragma once
 
 #include "app/command.h"
+#include "app/sensitivity_case.h"
 #include "base/material.h"
 #include "fem/segment.h"
 #include "io/config.h"
@@ -22,6 +23,7 @@ typedef struct case_file {
     rod_case rod;
     segment_case fem;
     measured_case measured;
+    sensitivity_case sensitivity;
 } case_file;
 
 // A case that was read. Texts and expressions belong to `config`, which lives as long as this.
@@ -50,6 +52,7 @@ void case_free(case_data *c);
 
 bool case_has_rod(const case_data *c);
 bool case_has_segment(const case_data *c);
+bool case_has_sensitivity(const case_data *c);
 
 // ERR_INPUT where the case lacks the part that a command is about.
 status case_need_rod(const case_data *c);

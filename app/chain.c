@@ -2,6 +2,7 @@
 #include "app/chain.h"
 
 #include "app/compare.h"
+#include "app/sensitivity.h"
 #include "app/versions.h"
 #include "app/warnings.h"
 #include "base/memory.h"
@@ -15,6 +16,7 @@ chain_parts chain_all_parts(const case_data *c)
         .rod = case_has_rod(c),
         .segment = case_has_segment(c),
         .compare = true,
+        .sensitivity = case_has_sensitivity(c),
         .pictures = true,
     };
 }
@@ -121,6 +123,7 @@ status chain_run(const command *cmd, const case_data *c, chain_parts parts, run_
         TRY(warn_tendons(cmd, c));
         TRY(chain_rods(cmd, c, &r));
     }
+    TRY(parts.sensitivity ? chain_sensitivity(cmd, c, &r) : OK);
     if (parts.segment) {
         TRY(warn_segment(cmd, c));
         command_progress(cmd, "3D segment");

@@ -8,7 +8,7 @@
 #include "reports/result.h"
 
 typedef struct chain_parts {
-    bool section, rod, segment, compare;
+    bool section, rod, segment, compare, sensitivity;
     bool pictures; // what only figures and the store need: the section's mesh, displacements
     bool answers;  // mass, kern, warping constant of the sections, stresses under their wrenches
 } chain_parts;

@@ -116,6 +116,12 @@ static chain_parts parts_compare(const case_data *c)
     return (chain_parts){.segment = case_has_segment(c), .compare = true};
 }
 
+static chain_parts parts_sensitivity(const case_data *c)
+{
+    (void)c;
+    return (chain_parts){.rod = true, .sensitivity = true};
+}
+
 status cmd_run(command *cmd)
 {
     return do_study(cmd, &(study){NULL, chain_all_parts, document_run, NULL});
@@ -135,6 +141,12 @@ status cmd_fem(command *cmd)
 {
     return do_study(cmd,
                     &(study){case_need_segment, parts_segment, result_json_segment, print_segment});
+}
+
+status cmd_sensitivity(command *cmd)
+{
+    return do_study(cmd, &(study){case_need_rod, parts_sensitivity, result_json_sensitivity,
+                                  print_sensitivity});
 }
 
 status cmd_compare(command *cmd)

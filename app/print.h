@@ -11,6 +11,7 @@ void print_answers(const run_result *r);
 void print_rods(const run_result *r);
 void print_segment(const run_result *r);
 void print_compare(const run_result *r);
+void print_sensitivity(const run_result *r);
 void print_models(const run_result *r); // at its end
 
 // Of every material the largest strain among the rod's solutions, and where.

@@ -27,6 +27,15 @@ static const subcommand list[] = {
      "Section by us, by GetDP and by 3D FEM; rod in both frames; rod against 3D FEM. Exit code 1\n"
      "when a difference is out of its tolerance.\n",
      "stiffaxis compare fig4.yaml"},
+    {"sensitivity", "CASE", cmd_sensitivity,
+     "what moves the tip: parameters one at a time, and at "
+     "random",
+     "How far the tip goes by each parameter of the case's `sensitivity`: by the rod's own\n"
+     "derivative, and by whole solves at the ends of its range. Without that block: tendon radii,\n"
+     "Poisson's ratio, the stiffest modulus, friction, the section's other model. monte_carlo "
+     "draws\n"
+     "all of them together. --out DIR: the page, tornado.svg, sensitivity.csv, monte_carlo.csv.\n",
+     "stiffaxis sensitivity constant_nc.yaml --set sensitivity.monte_carlo.samples=1000"},
     {"report", "RESULT", cmd_report, "figures and the page from a stored result",
      "RESULT is a result.hdf or the directory that holds it. Nothing is recomputed. Without --out\n"
      "the directory stands beside RESULT: results/fig4 and results/fig4/result.hdf give\n"

@@ -30,3 +30,16 @@ status gsl_random_door_open(const gsl_random_door **out)
 done:
     return st;
 }
+
+status gsl_linear_door_open(const gsl_linear_door **out)
+{
+    status st = OK;
+    door_function found = NULL;
+    gsl_linear_door_getter get = NULL;
+    TRY(door_open("gsl", GSL_LINEAR_DOOR_SYMBOL, &found));
+    memcpy(&get, &found, sizeof get);
+    *out = get();
+
+done:
+    return st;
+}

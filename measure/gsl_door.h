@@ -47,7 +47,18 @@ typedef struct gsl_random_door {
     double (*student)(double share, double freedom);
 } gsl_random_door;
 
+// gsl_linear_door_module.c: linear least squares, order and quantiles.
+typedef struct gsl_linear_door {
+    // x [p] so that |A x - b|^2 is least, A [n][p], n >= p; by singular values, so that columns
+    // that say the same share; cost: what is left of |b - A x|^2.
+    status (*least_squares)(int n, int p, const double *A, const double *b, double *x,
+                            double *cost);
+    void (*sort)(int n, double *y); // ascending
+    double (*quantile)(int n, const double *sorted, double share);
+} gsl_linear_door;
+
 status gsl_fit_door_open(const gsl_fit_door **out);
+status gsl_linear_door_open(const gsl_linear_door **out);
 status gsl_random_door_open(const gsl_random_door **out);
 
 #define GSL_FIT_DOOR_SYMBOL "stiffaxis_gsl_fit_door"
@@ -57,3 +68,7 @@ const gsl_fit_door *stiffaxis_gsl_fit_door(void);
 #define GSL_RANDOM_DOOR_SYMBOL "stiffaxis_gsl_random_door"
 typedef const gsl_random_door *(*gsl_random_door_getter)(void);
 const gsl_random_door *stiffaxis_gsl_random_door(void);
+
+#define GSL_LINEAR_DOOR_SYMBOL "stiffaxis_gsl_linear_door"
+typedef const gsl_linear_door *(*gsl_linear_door_getter)(void);
+const gsl_linear_door *stiffaxis_gsl_linear_door(void);

@@ -30,5 +30,8 @@ status csv_stresses(const run_result *r, const char *dir);
 // reports/csv_models.c: models.csv, a row per entry of the tip's compliance.
 status csv_models(const model_checks *m, const char *dir);
 
+// reports/csv_sensitivity.c: sensitivity.csv and monte_carlo.csv, where there is such a part.
+status csv_sensitivity(const run_result *r, const char *dir);
+
 // reports/csv_segment.c: segment.csv and segment_slices.csv.
 status csv_segment(const run_result *r, const char *dir);

@@ -14,6 +14,7 @@ status figures_all(const run_result *r, const char *dir)
     TRY(figure_curvature(r, dir));
     TRY(figure_wrench(r, dir));
     TRY(figure_tendons(r, dir));
+    TRY(figure_tornado(r, dir));
 
 done:
     return st;

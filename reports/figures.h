@@ -24,6 +24,8 @@ status figure_curvature(const run_result *r,
                         const char *dir); // curvature: curvature, twist and strains along s
 status figure_wrench(const run_result *r, const char *dir);  // wrench: of the section, along s
 status figure_tendons(const run_result *r, const char *dir); // tendons: paths, tensions along s
+status figure_tornado(const run_result *r,
+                      const char *dir); // tornado: how far each parameter moves the tip
 status figures_all(const run_result *r, const char *dir);
 
 // One self-contained page DIR/report.html with the figures inlined (SVG), tables and numbers.

@@ -68,9 +68,13 @@ static status header(bytes *page, const run_result *r)
         bool there;
         const char *id, *name;
     } parts[] = {
-        {r->has_section, "section", "Cross section"}, {r->has_rod, "rod", "Rod"},
-        {r->has_segment, "segment", "3D segment"},    {r->has_compare, "compare", "Comparisons"},
-        {true, "assumptions", "Assumptions"},         {true, "origin", "Case and versions"},
+        {r->has_section, "section", "Cross section"},
+        {r->has_rod, "rod", "Rod"},
+        {r->has_segment, "segment", "3D segment"},
+        {r->has_compare, "compare", "Comparisons"},
+        {r->has_sensitivity, "sensitivity", "What moves the answer"},
+        {true, "assumptions", "Assumptions"},
+        {true, "origin", "Case and versions"},
     };
 
     PAGE("<header><div>\n<h1>");
@@ -117,6 +121,7 @@ status report_page(const run_result *r, const char *dir)
     TRY(page_segment(page, r, dir));
     TRY(page_compare(page, r));
     TRY(page_models(page, r));
+    TRY(page_sensitivity(page, r, dir));
     TRY(page_assumptions(page, r));
     TRY(page_origin(page, r));
     PAGE("</main>\n<footer><div>Written by stiffaxis %s. Numbers in full precision stand in the "

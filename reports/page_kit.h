@@ -28,6 +28,7 @@ status page_segment(bytes *page, const run_result *r, const char *dir);
 status page_compare(bytes *page, const run_result *r);
 status page_models(bytes *page,
                    const run_result *r); // reports/page_models.c, below the comparisons
+status page_sensitivity(bytes *page, const run_result *r, const char *dir);
 status page_assumptions(bytes *page, const run_result *r);
 status page_origin(bytes *page, const run_result *r);
 

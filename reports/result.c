@@ -129,6 +129,7 @@ void run_result_free(run_result *r)
     free_rods(&r->rod);
     segment_result_free(&r->segment);
     free(r->compare);
+    sensitivity_result_free(&r->sensitivity);
     *r = (run_result){0};
 }
 

@@ -11,6 +11,7 @@
 #include "io/csv.h"
 #include "io/json.h"
 #include "io/store.h"
+#include "reports/sensitivity_result.h"
 #include "rodsolver/rod.h"
 #include "section/answers.h"
 #include "section/section.h"
@@ -161,6 +162,9 @@ typedef struct run_result {
     compare_row *compare;
     model_checks models;
 
+    bool has_sensitivity;
+    sensitivity_result sensitivity;
+
     char **load_name; // [segment.nload], owned, where a store was read; NULL where the case owns
                       // the loads' names
 } run_result;
@@ -180,6 +184,7 @@ status result_json_section(json *j, const char *key, const run_result *r);
 status result_json_rod(json *j, const char *key, const run_result *r);
 status result_json_segment(json *j, const char *key, const run_result *r);
 status result_json_compare(json *j, const char *key, const run_result *r);
+status result_json_sensitivity(json *j, const char *key, const run_result *r);
 status result_json_run(json *j, const run_result *r);
 
 // "models": what assumptions about the section cost; inside the comparison's document.

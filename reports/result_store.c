@@ -119,6 +119,7 @@ static status pass_all(const passage *p, run_result *r)
     TRY(r->has_segment ? store_pass_segment(p, r) : OK);
     TRY(r->has_compare ? pass_compare(p, r) : OK);
     TRY(r->has_compare ? store_pass_models(p, r) : OK);
+    TRY(store_pass_sensitivity(p, r));
 
 done:
     return st;

@@ -46,6 +46,7 @@ status store_pass_segment(const passage *p, run_result *r);
 bool store_segment_is_whole(const segment_body *b);
 status store_pass_segment_body(const passage *p, run_result *r);
 status store_pass_segment_fields(const passage *p, int load, run_result *r); // of one load
+status store_pass_sensitivity(const passage *p, run_result *r);              // after the rod
 status store_pass_models(const passage *p, run_result *r);                   // with the comparisons
 
 // The solved sections' laws by fingerprint.
