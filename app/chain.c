@@ -2,6 +2,7 @@
 #include "app/chain.h"
 
 #include "app/compare.h"
+#include "app/measured_case.h"
 #include "app/sensitivity.h"
 #include "app/versions.h"
 #include "app/warnings.h"
@@ -17,6 +18,7 @@ chain_parts chain_all_parts(const case_data *c)
         .segment = case_has_segment(c),
         .compare = true,
         .sensitivity = case_has_sensitivity(c),
+        .measured = case_has_measured(c),
         .pictures = true,
     };
 }
@@ -122,6 +124,7 @@ status chain_run(const command *cmd, const case_data *c, chain_parts parts, run_
     if (parts.rod) {
         TRY(warn_tendons(cmd, c));
         TRY(chain_rods(cmd, c, &r));
+        TRY(parts.measured ? chain_measured(c, &r) : OK);
     }
     TRY(parts.sensitivity ? chain_sensitivity(cmd, c, &r) : OK);
     if (parts.segment) {

@@ -9,6 +9,7 @@
 
 typedef struct chain_parts {
     bool section, rod, segment, compare, sensitivity;
+    bool measured; // the rod against measured shapes
     bool pictures; // what only figures and the store need: the section's mesh, displacements
     bool answers;  // mass, kern, warping constant of the sections, stresses under their wrenches
 } chain_parts;
@@ -28,6 +29,7 @@ status chain_section(const case_data *c, bool mesh, run_result *out);
 status chain_answers(const case_data *c, bool fields, run_result *out);
 status chain_points(const case_data *c, run_result *out);
 status chain_rods(const command *cmd, const case_data *c, run_result *out); // after chain_section
+status chain_measured(const case_data *c, run_result *out);                 // after chain_rods
 // x and y of a tendon at s as its keys say; of a table what lies between its points.
 void chain_tendon_place(const tendon_spec *t, double s, double place[2]);
 // Of tendons and loads; rods has room for them.

@@ -6,6 +6,7 @@
 #include "app/chain.h"
 #include "app/command.h"
 #include "app/compare.h"
+#include "app/measured_case.h"
 #include "app/print.h"
 #include "app/save.h"
 #include "reports/figures.h"
@@ -113,7 +114,9 @@ static chain_parts parts_segment(const case_data *c)
 
 static chain_parts parts_compare(const case_data *c)
 {
-    return (chain_parts){.segment = case_has_segment(c), .compare = true};
+    const bool measured = case_has_measured(c);
+    return (chain_parts){
+        .rod = measured, .segment = case_has_segment(c), .compare = true, .measured = measured};
 }
 
 static chain_parts parts_sensitivity(const case_data *c)

@@ -65,6 +65,7 @@ status compare_all(const command *cmd, const case_data *c, run_result *r)
         command_progress(cmd, "comparison: rod in both frames");
         TRY(compare_frames(c, r));
     }
+    compare_measured(r);
     if (r->has_segment) {
         command_progress(cmd, "comparison: models of the section");
         TRY(compare_models(c, &section, r));

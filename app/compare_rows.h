@@ -64,4 +64,6 @@ status compare_frames(const case_data *c, run_result *r);
 void compare_rod_segment(const case_data *c, const compare_section *section, run_result *r);
 status compare_models(const case_data *c, const compare_section *section, run_result *r);
 void compare_loads(const case_data *c, const compare_section *section, run_result *r);
+// verdicts where the case gives a tolerance
+void compare_measured(run_result *r);
 status compare_calculix(const case_data *c, run_result *r);

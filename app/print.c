@@ -178,4 +178,5 @@ void print_compare(const run_result *r)
         }
     }
     print_models(r);
+    print_measured(r);
 }

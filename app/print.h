@@ -13,6 +13,7 @@ void print_segment(const run_result *r);
 void print_compare(const run_result *r);
 void print_sensitivity(const run_result *r);
 void print_models(const run_result *r); // at its end
+void print_measured(const run_result *r);
 
 // Of every material the largest strain among the rod's solutions, and where.
 void print_strains(const run_result *r);

@@ -45,8 +45,8 @@ void centreline_bend(const centreline *c, double window, vec3 *bend, double *sig
         if (n > 3) {
             const line_fit f = line_fit_at(n, c->s + first, c->p + first, c->s[i]);
             const double speed = vec3_norm(f.slope);
-            bend[i] = vec3_scale(1 / (speed * speed * speed), vec3_cross(f.slope, f.bend));
-            sigma[i] = bend_sigma(c, first, n, c->s[i]) / (speed * speed);
+            bend[i] = vec3_scale(1 / (speed * speed), vec3_cross(f.slope, f.bend));
+            sigma[i] = bend_sigma(c, first, n, c->s[i]) / speed;
         }
     }
 }

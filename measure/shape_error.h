@@ -67,7 +67,8 @@ typedef struct shape_error {
 //   shape = 1/(to - from) int |p - p_measured| / s ds      docs/theory.md (9.21)
 status shape_error_find(const model_line *m, const centreline *matched, bool tip, shape_error *out);
 
-// How a measured line bends at its stations, by parabolas through the stations within `window` of
-// arclength: b = p' x p'' / |p'|^3 [1/m], and the standard uncertainty of each of its components.
-// NAN where less than the whole window, or fewer than four stations, were measured.
+// How a measured line turns per arclength at its stations, by parabolas through the stations within
+// `window` of arclength: b = p' x p'' / |p'|^2 [1/m], and the standard uncertainty of each of its
+// components. NAN where less than the whole window, or fewer than four stations, were measured.
+//   docs/theory.md (9.25)
 void centreline_bend(const centreline *c, double window, vec3 *bend, double *sigma);

@@ -32,6 +32,8 @@ status csv_models(const model_checks *m, const char *dir);
 
 // reports/csv_sensitivity.c: sensitivity.csv and monte_carlo.csv, where there is such a part.
 status csv_sensitivity(const run_result *r, const char *dir);
+// reports/csv_measured.c: measured.csv and measured_shapes.csv.
+status csv_measured(const run_result *r, const char *dir);
 
 // reports/csv_segment.c: segment.csv and segment_slices.csv.
 status csv_segment(const run_result *r, const char *dir);

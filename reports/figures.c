@@ -15,6 +15,7 @@ status figures_all(const run_result *r, const char *dir)
     TRY(figure_wrench(r, dir));
     TRY(figure_tendons(r, dir));
     TRY(figure_tornado(r, dir));
+    TRY(figure_measured(r, dir));
 
 done:
     return st;

@@ -26,6 +26,9 @@ status figure_wrench(const run_result *r, const char *dir);  // wrench: of the s
 status figure_tendons(const run_result *r, const char *dir); // tendons: paths, tensions along s
 status figure_tornado(const run_result *r,
                       const char *dir); // tornado: how far each parameter moves the tip
+status figure_measured(const run_result *r,
+                       const char *dir); // measured, measured_along: the model against
+                                         // measured shapes
 status figures_all(const run_result *r, const char *dir);
 
 // One self-contained page DIR/report.html with the figures inlined (SVG), tables and numbers.

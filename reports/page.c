@@ -70,6 +70,8 @@ static status header(bytes *page, const run_result *r)
     } parts[] = {
         {r->has_section, "section", "Cross section"},
         {r->has_rod, "rod", "Rod"},
+        {r->has_measured, "measured",
+         r->measured.synthetic ? "Synthetic shapes" : "Measured shapes"},
         {r->has_segment, "segment", "3D segment"},
         {r->has_compare, "compare", "Comparisons"},
         {r->has_sensitivity, "sensitivity", "What moves the answer"},
@@ -118,6 +120,7 @@ status report_page(const run_result *r, const char *dir)
     TRY(key_numbers(page, r));
     TRY(page_section(page, r, dir));
     TRY(page_rod(page, r, dir));
+    TRY(page_measured(page, r, dir));
     TRY(page_segment(page, r, dir));
     TRY(page_compare(page, r));
     TRY(page_models(page, r));

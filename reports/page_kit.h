@@ -24,6 +24,7 @@ status page_section(bytes *page, const run_result *r, const char *dir);
 status page_rod(bytes *page, const run_result *r, const char *dir);
 status page_answers(bytes *page, const run_result *r, const char *dir); // of the section
 status page_strains(bytes *page, const run_result *r);                  // of the rod
+status page_measured(bytes *page, const run_result *r, const char *dir);
 status page_segment(bytes *page, const run_result *r, const char *dir);
 status page_compare(bytes *page, const run_result *r);
 status page_models(bytes *page,

@@ -128,6 +128,7 @@ void run_result_free(run_result *r)
     mesh_free(&r->section_mesh);
     free_rods(&r->rod);
     segment_result_free(&r->segment);
+    measured_result_free(&r->measured);
     free(r->compare);
     sensitivity_result_free(&r->sensitivity);
     *r = (run_result){0};

@@ -11,6 +11,7 @@
 #include "io/csv.h"
 #include "io/json.h"
 #include "io/store.h"
+#include "reports/measured_result.h"
 #include "reports/sensitivity_result.h"
 #include "rodsolver/rod.h"
 #include "section/answers.h"
@@ -158,6 +159,9 @@ typedef struct run_result {
     int segment_base, segment_tip;
     segment_result segment; // fields kept
 
+    bool has_measured;
+    measured_result measured;
+
     int ncompare;
     compare_row *compare;
     model_checks models;
@@ -186,6 +190,10 @@ status result_json_segment(json *j, const char *key, const run_result *r);
 status result_json_compare(json *j, const char *key, const run_result *r);
 status result_json_sensitivity(json *j, const char *key, const run_result *r);
 status result_json_run(json *j, const run_result *r);
+
+// reports/json_measured.c, "measured": errors against measured shapes; inside the comparison's
+// document.
+void result_json_measured(json *j, const char *key, const run_result *r);
 
 // "models": what assumptions about the section cost; inside the comparison's document.
 void result_json_models(json *j, const char *key, const model_checks *m);

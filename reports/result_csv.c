@@ -191,6 +191,7 @@ status result_csv(const run_result *r, const char *dir)
     TRY(csv_stresses(r, dir));
     TRY(r->has_rod ? write_rods(r, dir) : OK);
     TRY(r->has_rod ? write_shapes(r, dir) : OK);
+    TRY(r->has_measured ? csv_measured(r, dir) : OK);
     TRY(r->has_segment ? csv_segment(r, dir) : OK);
     TRY(r->has_compare ? write_compare(r, dir) : OK);
     TRY(r->models.there ? csv_models(&r->models, dir) : OK);

@@ -88,6 +88,9 @@ status result_json_compare(json *j, const char *key, const run_result *r)
     if (r->models.there) {
         result_json_models(j, "models", &r->models);
     }
+    if (r->has_measured) {
+        result_json_measured(j, "measured", r);
+    }
     json_flag(j, "ok", ok);
     json_object_end(j);
     return OK;

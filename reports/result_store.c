@@ -67,6 +67,7 @@ static status pass_case(const passage *p, run_result *r)
         {"rod", COLUMN_FLAG, "-", offsetof(run_result, has_rod), 0, {0}, 0},
         {"fem", COLUMN_FLAG, "-", offsetof(run_result, has_segment), 0, {0}, 0},
         {"compare", COLUMN_FLAG, "-", offsetof(run_result, has_compare), 0, {0}, 0},
+        {"measured", COLUMN_FLAG, "-", offsetof(run_result, has_measured), 0, {0}, 0},
     };
     status st = OK;
     TRY(passage_words(p, "case/title", r->title, sizeof r->title));
@@ -116,6 +117,7 @@ static status pass_all(const passage *p, run_result *r)
     TRY(pass_case(p, r));
     TRY(r->has_section ? store_pass_section(p, r) : OK);
     TRY(r->has_rod ? store_pass_rod(p, r) : OK);
+    TRY(r->has_measured ? store_pass_measured(p, r) : OK);
     TRY(r->has_segment ? store_pass_segment(p, r) : OK);
     TRY(r->has_compare ? pass_compare(p, r) : OK);
     TRY(r->has_compare ? store_pass_models(p, r) : OK);

@@ -206,6 +206,26 @@ static void compare_lines(summary *s, const run_result *r)
     }
 }
 
+static void measured_lines(summary *s, const run_result *r)
+{
+    const measured_result *m = &r->measured;
+    double tip[2] = {INFINITY, 0}, shape[2] = {INFINITY, 0};
+    for (int i = 0; i < m->nline; i++) {
+        const shape_error *e = &m->line[i].error;
+        tip[0] = fmin(tip[0], e->tip);
+        tip[1] = fmax(tip[1], e->tip);
+        shape[0] = fmin(shape[0], e->shape);
+        shape[1] = fmax(shape[1], e->shape);
+    }
+    if (m->nline == 0) {
+        return;
+    }
+    add(s, "measured %d %s: tip error %.2f to %.2f mm, shape error %.1f to %.1f %%", m->nline,
+        m->synthetic ? (m->nline == 1 ? "SYNTHETIC shape" : "SYNTHETIC shapes")
+                     : (m->nline == 1 ? "shape" : "shapes"),
+        1e3 * fmin(tip[0], tip[1]), 1e3 * tip[1], 100 * shape[0], 100 * shape[1]);
+}
+
 status report_summary(const run_result *r, int max_lines, void *stdio_stream)
 {
     FILE *stream = stdio_stream;
@@ -214,6 +234,9 @@ status report_summary(const run_result *r, int max_lines, void *stdio_stream)
     add(&first, "%s", r->title[0] ? r->title : "untitled case");
     if (r->has_section && r->section.nstation > 0) {
         section_lines(&first, r);
+    }
+    if (r->has_measured) {
+        measured_lines(&rest, r);
     }
     if (r->has_segment) {
         segment_lines(&rest, r);

@@ -1,0 +1,137 @@
+// app/chain_measured.c
+// The rod's solutions against the shapes that were measured of them.
+#include "app/chain.h"
+#include "app/measured_case.h"
+#include "base/memory.h"
+
+#include <math.h>
+#include <string.h>
+
+// of the rod's length: what a parabola takes for one curvature, wide enough that a scanner's noise
+// of 0.05 mm leaves 1 or 2 per metre on a rod of 120 mm
+#define BEND_WINDOW 0.125
+
+// A solution's centreline in the frame of its base, docs/theory.md (9.19).
+typedef struct own_line {
+    vec3 *p, *slope;
+    double *along;
+    model_line line;
+} own_line;
+
+static void own_line_free(own_line *m)
+{
+    free(m->p);
+    free(m->slope);
+    free(m->along);
+}
+
+static status own_line_make(const rod_result *rod, const struct rod_run *run, own_line *m)
+{
+    status st = OK;
+    const pose *base = &run->shape[0];
+    const size_t n = (size_t)rod->npoint;
+    TRY(TAKE(m->p, n));
+    TRY(TAKE(m->slope, n));
+    TRY(TAKE(m->along, n));
+    for (size_t i = 0; i < n; i++) {
+        const vec3 v = {{run->stretch[i][0], run->stretch[i][1], 1 + run->stretch[i][2]}};
+        m->p[i] = mat3_tmul_vec(base->R, vec3_sub(run->shape[i].p, base->p));
+        m->slope[i] = mat3_tmul_vec(base->R, mat3_mul_vec(run->shape[i].R, v));
+    }
+    m->line = (model_line){rod->npoint, run->s, m->p, m->slope, m->along};
+    model_line_lengths(&m->line, m->along);
+
+done:
+    return st;
+}
+
+// of the section at s, in the frame of the base
+static mat3 turn_at(const rod_result *rod, const struct rod_run *run, double s)
+{
+    int i = 0;
+    while (i + 2 < rod->npoint && run->s[i + 1] <= s) {
+        i++;
+    }
+    const double part = (s - run->s[i]) / (run->s[i + 1] - run->s[i]);
+    const mat3 a = run->shape[i].R, step = mat3_mul(mat3_transpose(a), run->shape[i + 1].R);
+    const mat3 R = mat3_mul(a, so3_exp(vec3_scale(part, so3_log(step))));
+    return mat3_mul(mat3_transpose(run->shape[0].R), R);
+}
+
+static status fill_points(const rod_result *rod, const own_line *m, const centreline *matched,
+                          double window, measured_line *out)
+{
+    status st = OK;
+    const struct rod_run *run = &rod->run[out->solution];
+    const size_t n = (size_t)matched->count;
+    TRY(measured_line_room(out, matched->count));
+    memcpy(out->s, matched->s, n * sizeof *out->s);
+    memcpy(out->sigma, matched->sigma, n * sizeof *out->sigma);
+    memcpy(out->p, matched->p, n * sizeof *out->p);
+    centreline_bend(matched, window, out->bend, out->bend_sigma);
+    for (size_t i = 0; i < n; i++) {
+        out->model[i] = model_line_at(&m->line, matched->s[i]);
+        out->bend[i] = mat3_tmul_vec(turn_at(rod, run, matched->s[i]), out->bend[i]);
+    }
+
+done:
+    return st;
+}
+
+static void name_line(const rod_result *rod, const measured_shape *shape, measured_line *out)
+{
+    const char *slash = strrchr(shape->csv.text, '/');
+    (void)snprintf(out->file, sizeof out->file, "%s", slash ? slash + 1 : shape->csv.text);
+    if (shape->name) {
+        (void)snprintf(out->name, sizeof out->name, "%s", shape->name);
+    } else {
+        (void)snprintf(out->name, sizeof out->name, "solution %d of %d", shape->index + 1,
+                       rod->nsolution);
+    }
+}
+
+static status compare_shape(const rod_result *rod, const measured_case *given,
+                            const measured_shape *shape, double window, measured_line *out)
+{
+    status st = OK;
+    own_line m = {0};
+    centreline matched = {0};
+    double longer = 0;
+    const shape_way way = {given->arclength, shape->tip};
+    out->solution = shape->index;
+    name_line(rod, shape, out);
+    TRY(own_line_make(rod, &rod->run[shape->index], &m));
+    TRY(shape_match(&m.line, &shape->line, &way, &matched, &out->tip, &longer));
+    TRY(shape_error_find(&m.line, &matched, out->tip, &out->error));
+    out->error.longer = longer;
+    TRY(fill_points(rod, &m, &matched, window, out));
+
+done:
+    centreline_free(&matched);
+    own_line_free(&m);
+    return st;
+}
+
+status chain_measured(const case_data *c, run_result *out)
+{
+    status st = OK;
+    const measured_case *given = &c->file.measured;
+    const measured_shape *shape = given->shapes.items;
+    measured_result *m = &out->measured;
+    m->synthetic = given->synthetic;
+    m->paper = given->paper;
+    m->arclength = given->arclength;
+    m->tolerance = given->tolerance;
+    m->window = BEND_WINDOW * out->rod_length;
+    (void)snprintf(m->source, sizeof m->source, "%s", given->source ? given->source : "");
+    TRY(TAKE(m->line, (size_t)given->shapes.count));
+    for (int i = 0; i < given->shapes.count; i++) {
+        m->nline = i + 1;
+        st = compare_shape(&out->rod, given, &shape[i], m->window, &m->line[i]);
+        TRY(case_place(c, st, shape[i].at));
+    }
+    out->has_measured = true;
+
+done:
+    return st;
+}
