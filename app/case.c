@@ -55,6 +55,11 @@ static const key root_keys[] = {
      .offset = offsetof(case_file, sensitivity),
      .table = &sensitivity_keys,
      .about = "what moves the rod's answer"},
+    {.name = "fit",
+     .kind = KEY_TABLE,
+     .offset = offsetof(case_file, fit),
+     .table = &fit_keys,
+     .about = "what is left open, fitted to the measured shapes"},
 };
 
 void case_keys(key_table *root, case_file *initial)
@@ -65,6 +70,7 @@ void case_keys(key_table *root, case_file *initial)
         .rod = rod_case_default(),
         .fem = segment_case_default(),
         .sensitivity = {.monte_carlo = {.seed = 1}},
+        .fit = fit_case_default(),
     };
     *root = (key_table){
         .name = "case",
@@ -231,6 +237,7 @@ status case_open(const case_request *request, case_data *out)
     TRY(check_parts(&c, request->only_rod));
     TRY(check_measured(&c, request->again != NULL));
     TRY(case_has_sensitivity(&c) && !request->again ? sensitivity_check(&c) : OK);
+    TRY(case_has_fit(&c) && !request->again ? case_fit_check(&c) : OK);
     *out = c;
     c = (case_data){0};
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "app/command.h"
+#include "app/fit_case.h"
 #include "app/sensitivity_case.h"
 #include "base/material.h"
 #include "fem/segment.h"
@@ -24,6 +25,7 @@ typedef struct case_file {
     segment_case fem;
     measured_case measured;
     sensitivity_case sensitivity;
+    fit_case fit;
 } case_file;
 
 // A case that was read. Texts and expressions belong to `config`, which lives as long as this.

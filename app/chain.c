@@ -15,6 +15,7 @@ chain_parts chain_all_parts(const case_data *c)
     return (chain_parts){
         .section = true,
         .rod = case_has_rod(c),
+        .fit = case_has_fit(c),
         .segment = case_has_segment(c),
         .compare = true,
         .sensitivity = case_has_sensitivity(c),
@@ -127,6 +128,9 @@ status chain_run(const command *cmd, const case_data *c, chain_parts parts, run_
         TRY(parts.measured ? chain_measured(c, &r) : OK);
     }
     TRY(parts.sensitivity ? chain_sensitivity(cmd, c, &r) : OK);
+    if (parts.fit) {
+        TRY(chain_fit(cmd, c, &r));
+    }
     if (parts.segment) {
         TRY(warn_segment(cmd, c));
         command_progress(cmd, "3D segment");

@@ -8,7 +8,7 @@
 #include "reports/result.h"
 
 typedef struct chain_parts {
-    bool section, rod, segment, compare, sensitivity;
+    bool section, rod, fit, segment, compare, sensitivity;
     bool measured; // the rod against measured shapes
     bool pictures; // what only figures and the store need: the section's mesh, displacements
     bool answers;  // mass, kern, warping constant of the sections, stresses under their wrenches
@@ -39,6 +39,8 @@ status chain_rod_sketch(const rod_case *rc, rod_state *state, rod_result *rods);
 // ERR_NUMERIC where a solution ended at a limit point: the result is whole all the same, and marks
 // it.
 status chain_rod_verdict(const case_data *c, const run_result *r);
+// The case's open numbers by its measured shapes.
+status chain_fit(const command *cmd, const case_data *c, run_result *out);
 status chain_segment(const case_data *c, bool displacements, run_result *out);
 
 // The plane mesh of the section at arclength s: `order` and `size` of the elements, 0 for the

@@ -125,6 +125,12 @@ static chain_parts parts_sensitivity(const case_data *c)
     return (chain_parts){.rod = true, .sensitivity = true};
 }
 
+static chain_parts parts_fit(const case_data *c)
+{
+    (void)c;
+    return (chain_parts){.rod = true, .fit = true};
+}
+
 status cmd_run(command *cmd)
 {
     return do_study(cmd, &(study){NULL, chain_all_parts, document_run, NULL});
@@ -150,6 +156,11 @@ status cmd_sensitivity(command *cmd)
 {
     return do_study(cmd, &(study){case_need_rod, parts_sensitivity, result_json_sensitivity,
                                   print_sensitivity});
+}
+
+status cmd_fit(command *cmd)
+{
+    return do_study(cmd, &(study){case_need_fit, parts_fit, result_json_fit, print_fit});
 }
 
 status cmd_compare(command *cmd)

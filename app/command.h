@@ -66,6 +66,7 @@ status cmd_rod(command *cmd);
 status cmd_fem(command *cmd);
 status cmd_compare(command *cmd);
 status cmd_sensitivity(command *cmd);
+status cmd_fit(command *cmd);
 status cmd_report(command *cmd);
 status cmd_check(command *cmd);
 status cmd_scan(command *cmd);

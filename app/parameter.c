@@ -1,6 +1,7 @@
 // app/parameter.c
 #include "app/parameter.h"
 
+#include "app/case.h"
 #include "base/memory.h"
 
 #include <stdio.h>

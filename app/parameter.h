@@ -3,7 +3,10 @@
 // turn it; the key tables of both begin with PARAMETER_KEYS.
 #pragma once
 
-#include "app/case.h"
+#include "base/key.h"
+#include "base/status.h"
+
+struct case_data;
 
 typedef struct parameter {
     mark at;
@@ -28,9 +31,9 @@ enum { PARAMETER_MOST_KEYS = 64 };
     }
 
 // No name, no key, keys with different units, a key twice: ERR_INPUT with its place.
-status parameter_check(const case_data *c, const parameter *p);
+status parameter_check(const struct case_data *c, const parameter *p);
 // Two parameters of one name, or of one key.
-status parameters_differ(const case_data *c, const parameter *p, const parameter *q);
+status parameters_differ(const struct case_data *c, const parameter *p, const parameter *q);
 
 // The unit of its keys' spelling, "" where they have none, and its factor to SI.
 const char *parameter_unit(const parameter *p, double *factor);

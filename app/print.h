@@ -15,6 +15,9 @@ void print_sensitivity(const run_result *r);
 void print_models(const run_result *r); // at its end
 void print_measured(const run_result *r);
 
+// What was fitted to measured shapes, and what it rests on.
+void print_fit(const run_result *r);
+
 // Of every material the largest strain among the rod's solutions, and where.
 void print_strains(const run_result *r);
 

@@ -36,6 +36,11 @@ static const subcommand list[] = {
      "draws\n"
      "all of them together. --out DIR: the page, tornado.svg, sensitivity.csv, monte_carlo.csv.\n",
      "stiffaxis sensitivity constant_nc.yaml --set sensitivity.monte_carlo.samples=1000"},
+    {"fit", "CASE", cmd_fit, "the case's open numbers by its measured shapes",
+     "Nonlinear least squares of the rod's shapes to `measured.shapes`: each parameter of `fit`\n"
+     "with its standard error and interval, how they go together, errors before and after. --out\n"
+     "DIR writes fitted.yaml too, the case with the fitted values.\n",
+     "stiffaxis fit bench.yaml --out results/bench"},
     {"report", "RESULT", cmd_report, "figures and the page from a stored result",
      "RESULT is a result.hdf or the directory that holds it. Nothing is recomputed. Without --out\n"
      "the directory stands beside RESULT: results/fig4 and results/fig4/result.hdf give\n"

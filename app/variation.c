@@ -82,21 +82,21 @@ static bool only_the_rod(const char *setting)
            strncmp(setting, gravity, strlen(gravity)) != 0;
 }
 
-static bool keeps_section(const variation *v, const settings *s)
+static bool keeps_section(const case_data *base, const settings *s)
 {
-    bool keeps = !rod_case_has_gravity(&v->base->file.rod);
+    bool keeps = !rod_case_has_gravity(&base->file.rod);
     for (int i = 0; s && i < s->count; i++) {
         keeps = keeps && only_the_rod(s->text[i]);
     }
     return keeps;
 }
 
-static status reopen(const variation *v, const settings *s, bool only_rod, case_data *out)
+static status reopen(const case_data *base, const settings *s, bool only_rod, case_data *out)
 {
     return case_open(&(case_request){.noverride = s ? s->count : 0,
                                      .overrides = s ? (const char *const *)s->text : NULL,
-                                     .allow_scripts = v->base->allow_scripts,
-                                     .again = v->base->config,
+                                     .allow_scripts = base->allow_scripts,
+                                     .again = base->config,
                                      .only_rod = only_rod},
                      out);
 }
@@ -149,7 +149,7 @@ done:
 
 // "tendon radius = 5: ..." at the parameter's place; what stood in front of the case's own words
 // tells the same setting
-static status explain(const variation *v, status st, const settings *s, mark at)
+static status explain(const case_data *base, status st, const settings *s, mark at)
 {
     char words[1024], place[CONFIG_PLACE_TEXT];
     if (st == OK || !s || st == ERR_INTERRUPTED) {
@@ -157,17 +157,25 @@ static status explain(const variation *v, status st, const settings *s, mark at)
     }
     const char *message = status_message(), *own = strstr(message, ": error: ");
     (void)snprintf(words, sizeof words, "%s", own ? own + sizeof ": error: " - 1 : message);
-    config_place_text(v->base->config, at, place);
+    config_place_text(base->config, at, place);
     status_clear();
     return status_fail(st, "%serror: %s: %s", place, s->about, words);
+}
+
+status variation_check(const case_data *base, const settings *s, mark at)
+{
+    case_data c = {0};
+    const status st = explain(base, reopen(base, s, keeps_section(base, s), &c), s, at);
+    case_free(&c);
+    return st;
 }
 
 status varied_make(variation *v, const settings *s, mark at, varied *out)
 {
     status st = OK;
     *out = (varied){0};
-    const bool keeps = keeps_section(v, s);
-    TRY(reopen(v, s, keeps, &out->c));
+    const bool keeps = keeps_section(v->base, s);
+    TRY(reopen(v->base, s, keeps, &out->c));
     TRY(case_need_rod(&out->c));
     out->law = &v->section.along;
     if (!keeps && s && s->count > 0) {
@@ -177,7 +185,7 @@ status varied_make(variation *v, const settings *s, mark at, varied *out)
     return OK;
 
 done:
-    st = explain(v, st, s, at);
+    st = explain(v->base, st, s, at);
     varied_free(out);
     return st;
 }
@@ -289,7 +297,7 @@ status variation_solve(variation *v, const settings *s, mark at, const variation
     status st = OK;
     varied w = {0};
     TRY(varied_make(v, s, at, &w));
-    st = explain(v, varied_solve(&w, where, local, out), s, at);
+    st = explain(v->base, varied_solve(&w, where, local, out), s, at);
 
 done:
     varied_free(&w);

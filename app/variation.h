@@ -8,6 +8,7 @@
 //   variation_solve  both
 #pragma once
 
+#include "app/case.h"
 #include "app/parameter.h"
 
 typedef struct variation {
@@ -22,6 +23,9 @@ typedef struct variation {
 // section: the base's where it was solved already, else NULL. Its laws are copied.
 status variation_open(const case_data *base, const section_result *section, variation *out);
 void variation_free(variation *v);
+
+// Whether the case can be read with these settings: ERR_INPUT as varied_make, nothing is solved.
+status variation_check(const case_data *base, const settings *s, mark at);
 
 // The case with other values. In place: *out must not move, and v outlives it.
 typedef struct varied {

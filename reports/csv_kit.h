@@ -35,5 +35,8 @@ status csv_sensitivity(const run_result *r, const char *dir);
 // reports/csv_measured.c: measured.csv and measured_shapes.csv.
 status csv_measured(const run_result *r, const char *dir);
 
+// reports/csv_fit.c: fit.csv, a row per parameter, and fit_residuals.csv.
+status csv_fit(const fit_result *f, const char *dir);
+
 // reports/csv_segment.c: segment.csv and segment_slices.csv.
 status csv_segment(const run_result *r, const char *dir);

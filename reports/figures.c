@@ -16,6 +16,7 @@ status figures_all(const run_result *r, const char *dir)
     TRY(figure_tendons(r, dir));
     TRY(figure_tornado(r, dir));
     TRY(figure_measured(r, dir));
+    TRY(figure_fit(r, dir));
 
 done:
     return st;

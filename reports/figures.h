@@ -29,6 +29,8 @@ status figure_tornado(const run_result *r,
 status figure_measured(const run_result *r,
                        const char *dir); // measured, measured_along: the model against
                                          // measured shapes
+status figure_fit(const run_result *r,
+                  const char *dir); // fit: distances along the line, pairs of fitted numbers
 status figures_all(const run_result *r, const char *dir);
 
 // One self-contained page DIR/report.html with the figures inlined (SVG), tables and numbers.

@@ -73,6 +73,7 @@ static status header(bytes *page, const run_result *r)
         {r->has_measured, "measured",
          r->measured.synthetic ? "Synthetic shapes" : "Measured shapes"},
         {r->has_segment, "segment", "3D segment"},
+        {r->fit.there, "fit", "Fit"},
         {r->has_compare, "compare", "Comparisons"},
         {r->has_sensitivity, "sensitivity", "What moves the answer"},
         {true, "assumptions", "Assumptions"},
@@ -122,6 +123,7 @@ status report_page(const run_result *r, const char *dir)
     TRY(page_rod(page, r, dir));
     TRY(page_measured(page, r, dir));
     TRY(page_segment(page, r, dir));
+    TRY(page_fit(page, r, dir));
     TRY(page_compare(page, r));
     TRY(page_models(page, r));
     TRY(page_sensitivity(page, r, dir));

@@ -131,6 +131,7 @@ void run_result_free(run_result *r)
     measured_result_free(&r->measured);
     free(r->compare);
     sensitivity_result_free(&r->sensitivity);
+    fit_result_free(&r->fit);
     *r = (run_result){0};
 }
 

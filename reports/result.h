@@ -11,6 +11,7 @@
 #include "io/csv.h"
 #include "io/json.h"
 #include "io/store.h"
+#include "reports/fit_result.h"
 #include "reports/measured_result.h"
 #include "reports/sensitivity_result.h"
 #include "rodsolver/rod.h"
@@ -168,6 +169,7 @@ typedef struct run_result {
 
     bool has_sensitivity;
     sensitivity_result sensitivity;
+    fit_result fit;
 
     char **load_name; // [segment.nload], owned, where a store was read; NULL where the case owns
                       // the loads' names
@@ -189,6 +191,7 @@ status result_json_rod(json *j, const char *key, const run_result *r);
 status result_json_segment(json *j, const char *key, const run_result *r);
 status result_json_compare(json *j, const char *key, const run_result *r);
 status result_json_sensitivity(json *j, const char *key, const run_result *r);
+status result_json_fit(json *j, const char *key, const run_result *r); // reports/json_fit.c
 status result_json_run(json *j, const run_result *r);
 
 // reports/json_measured.c, "measured": errors against measured shapes; inside the comparison's

@@ -196,6 +196,7 @@ status result_csv(const run_result *r, const char *dir)
     TRY(r->has_compare ? write_compare(r, dir) : OK);
     TRY(r->models.there ? csv_models(&r->models, dir) : OK);
     TRY(csv_sensitivity(r, dir));
+    TRY(r->fit.there ? csv_fit(&r->fit, dir) : OK);
 
 done:
     return st;

@@ -122,6 +122,7 @@ static status pass_all(const passage *p, run_result *r)
     TRY(r->has_compare ? pass_compare(p, r) : OK);
     TRY(r->has_compare ? store_pass_models(p, r) : OK);
     TRY(store_pass_sensitivity(p, r));
+    TRY(store_pass_fit(p, r));
 
 done:
     return st;
