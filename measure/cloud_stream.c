@@ -144,13 +144,13 @@ status stream_line(cloud_stream *s, char **line)
         return OK;
     }
     s->line++;
-    if (!end && s->end == STREAM_ROOM) {
-        TRY(stream_fail(s, "the line has more than %d bytes", STREAM_ROOM));
-    }
     unsigned char *start = s->buffer + s->begin;
     const size_t length = end ? (size_t)(end - start) : s->end - s->begin;
     if (memchr(start, 0, length)) {
         TRY(stream_fail(s, "there is a zero byte: it is no text"));
+    }
+    if (!end && s->end == STREAM_ROOM) {
+        TRY(stream_fail(s, "the line has more than %d bytes", STREAM_ROOM));
     }
     s->begin += length + (end ? 1 : 0);
     start[length] = 0;

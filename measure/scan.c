@@ -8,6 +8,8 @@
 #include <stdio.h>
 #include <string.h>
 
+enum { LEAST_POINTS = 50 }; // a few rings of a few points
+
 void scan_result_free(scan_result *r)
 {
     centreline_free(&r->line);
@@ -224,6 +226,10 @@ status scan_measure(point_cloud *cloud, const char *name, const scan_settings *s
     TRY(scan_check_unit(cloud, name, r.cloud.unit, settings));
     if (settings->box.nrow == 2) {
         keep_box(&settings->box, cloud, &r.boxed);
+    }
+    if (cloud->count < LEAST_POINTS) {
+        TRY(status_fail(ERR_FILE, "%s: %zu point%s%s: too few to show a tube", name, cloud->count,
+                        cloud->count == 1 ? "" : "s", r.boxed > 0 ? " in the box" : ""));
     }
     TRY(r.frame == SCAN_BY_FIDUCIALS ? by_fiducials(settings, &o, &r) : OK);
     TRY(r.frame == SCAN_BY_PLATE ? scan_find_plate(cloud, settings, &o, &r.plate) : OK);
