@@ -125,9 +125,12 @@ status case_value_find(const case_data *c, const char *path, mark at, case_value
         if (!k || (!rest && (k->kind == KEY_TABLE || k->table))) {
             break;
         }
-        if (!rest || !k->table) {
+        if (!rest) {
             take_value(k, s.at, factor, out);
-            return OK; // what stands inside of a row of numbers is no number of its own
+            return OK;
+        }
+        if (!k->table) {
+            break; // also inside of a row of numbers
         }
         s.at += k->offset;
         if (k->kind != KEY_TABLE) {

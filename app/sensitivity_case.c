@@ -96,7 +96,7 @@ static const key sensitivity_key_list[] = {
      .kind = KEY_ROWS,
      .min = 1,
      .max = 1e6,
-     .max_count = 1,
+     .max_count = SENSITIVITY_SOLUTIONS,
      .offset = offsetof(sensitivity_case, solutions),
      .about = "which of the rod's solutions, counted from 1; left out: all"},
     {.name = "monte_carlo",
@@ -187,6 +187,9 @@ static status check_solutions(const case_data *c)
 {
     const sensitivity_case *s = &c->file.sensitivity;
     const int count = rod_case_solutions(&c->file.rod);
+    if (s->solutions.nrow > 1) {
+        return config_fail(c->config, s->solutions.at, "solutions are one list: [1, 3]");
+    }
     for (int i = 0; i < s->solutions.ncol * s->solutions.nrow; i++) {
         const double wanted = s->solutions.a[i];
         if (wanted != floor(wanted) || wanted > count) {
