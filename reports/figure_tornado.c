@@ -87,6 +87,11 @@ static void bar_draw(canvas *c, const plot *p, const mover *q, const move *m, in
     canvas_rectangle(c, fmin(x, plot_x(p, 0)), y - thick / 2, fabs(x - plot_x(p, 0)), thick);
     canvas_fill(c, colour_mix(ink, (colour){1, 1, 1, 1}, 0.25));
     // behind the mark of the derivative, where that goes further
+    if (q->discrete) { // words may be long, and the other side is free
+        say_within(c, plot_x(p, 0) - 7, y + 4, plot_x(p, 0) - p->at.x - 7,
+                   look_aligned(look, TEXT_RIGHT), text);
+        return;
+    }
     const double linear = has_mark(q, m, end) ? 1e3 * move_linear(q, m, end) : 0;
     say_within(c, plot_x(p, sign * fmax(size, linear)) + sign * 7, y + 4, label_room - 4, look,
                text);
