@@ -72,7 +72,7 @@ static void print_body(const scan_result *r, FILE *f)
 {
     static const char *const tips[] = {"open", "flat", "round"};
     const tube_report *t = &r->tube;
-    fprintf(f, "points   %zu after thinning, %zu on the body, %zu strays\n", t->thinned, t->used,
+    fprintf(f, "points   %zu looked at, %zu on the body, %zu strays\n", t->thinned, t->used,
             t->stray);
     if (r->radius_given) {
         fprintf(f, "body     radius %.4g mm as stated; the points say %.4f +- %.4f mm%s\n",
