@@ -22,6 +22,11 @@ static const key root_keys[] = {
      .kind = KEY_TEXT,
      .offset = offsetof(case_file, title),
      .about = "one line for the report"},
+    {.name = "fitted",
+     .kind = KEY_TEXT,
+     .offset = offsetof(case_file, fitted),
+     .about = "which of the case's numbers were fitted to measured shapes: said with the title, "
+              "wherever that stands; `fit` writes it into fitted.yaml"},
     {.name = "materials",
      .kind = KEY_NAMED,
      .max_count = 64,

@@ -19,6 +19,7 @@ typedef struct case_file {
     mark at;
     int format;
     const char *title;  // NULL where not given
+    const char *fitted; // which of its numbers were fitted to what; NULL where none
     key_list materials; // of material
     section_case section;
     rod_case rod;

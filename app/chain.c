@@ -7,6 +7,7 @@
 #include "app/versions.h"
 #include "app/warnings.h"
 #include "base/memory.h"
+#include "reports/markup.h"
 
 #include <string.h>
 
@@ -72,7 +73,11 @@ static void copy_title(const case_data *c, run_result *out)
         const char *path = config_path(c->config), *slash = strrchr(path, '/');
         title = slash ? slash + 1 : path;
     }
-    (void)snprintf(out->title, sizeof out->title, "%s", title);
+    char words[2 * sizeof out->title];
+    const char *fitted = c->file.fitted;
+    (void)snprintf(words, sizeof words, "%s%s%s%s", title, fitted ? " [fitted: " : "",
+                   fitted ? fitted : "", fitted ? "]" : "");
+    utf8_shorten(words, sizeof out->title - 16, out->title, sizeof out->title);
 }
 
 status chain_about(const command *cmd, const case_data *c, run_result *out)

@@ -195,6 +195,72 @@ done:
     return st;
 }
 
+// --- the case with the fitted values
+
+static const char *line_that_begins(const char *text, const char *key)
+{
+    const char *at = strstr(text, key);
+    while (at && at != text && at[-1] != '\n') {
+        at = strstr(at + 1, key);
+    }
+    return at;
+}
+
+// "fitted: '...'" in front of the file, in place of an earlier such line
+static status add_headline(const case_data *c, const fit_result *r, const char *text, char **out)
+{
+    status st = OK;
+    static const char key[] = "fitted:";
+    char words[400], line[900];
+    size_t n = 0;
+    (void)fit_result_words(r, words, sizeof words);
+    n = (size_t)snprintf(line, sizeof line, "%s '", key);
+    for (const char *p = words; *p && n + 60 < sizeof line; p++) {
+        line[n++] = *p;
+        if (*p == '\'') {
+            line[n++] = *p;
+        }
+    }
+    n += (size_t)snprintf(line + n, sizeof line - n, "%s'\n",
+                          r->synthetic ? " (to synthetic shapes)" : "");
+    const char *old = c->file.fitted ? line_that_begins(text, key) : NULL;
+    const char *at = old ? old : line_that_begins(text, "format:");
+    const char *rest = old ? old + strcspn(old, "\n") : at;
+    rest += old && *rest == '\n';
+    n = at ? n : 0; // a case in one pair of braces goes without
+    at = at ? at : text;
+    rest = rest ? rest : text;
+    const size_t before = (size_t)(at - text);
+    TRY(TAKE(*out, strlen(text) + n + 1));
+    memcpy(*out, text, before);
+    memcpy(*out + before, line, n);
+    memcpy(*out + before + n, rest, strlen(rest) + 1);
+
+done:
+    return st;
+}
+
+static status write_fitted(const case_data *c, run_result *out)
+{
+    status st = OK;
+    settings s = {0};
+    char *text = NULL, *ended = NULL;
+    size_t length = 0;
+    for (int i = 0; i < c->file.fit.parameters.count; i++) {
+        TRY(settings_add(&s, &parameter_of(c, i)->what, out->fit.answer.value[i]));
+    }
+    TRY(config_rewrite(c->config, s.count, (const char *const *)s.text, &text, &length));
+    TRY(TAKE(ended, length + 1));
+    memcpy(ended, text, length);
+    TRY(add_headline(c, &out->fit, ended, &out->fitted_case));
+
+done:
+    free(ended);
+    free(text);
+    settings_free(&s);
+    return st;
+}
+
 status chain_fit(const command *cmd, const case_data *c, run_result *out)
 {
     status st = OK;
@@ -207,6 +273,7 @@ status chain_fit(const command *cmd, const case_data *c, run_result *out)
     problem.nstart = useful_starts(&problem);
     TRY(case_place(c, shape_fit(&problem, &answer), c->file.fit.at));
     TRY(tell(&f, &problem, &answer, &out->fit));
+    TRY(write_fitted(c, out));
 
 done:
     command_progress(cmd, NULL);

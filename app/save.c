@@ -84,6 +84,8 @@ static status write_contents(const outdir *d, const contents *what)
     if (what->result) {
         TRY(write_store(what->result, path));
         TRY(still_wanted());
+        const char *fitted = what->result->fitted_case;
+        TRY(fitted ? write_text(d, "fitted.yaml", fitted, strlen(fitted)) : OK);
         TRY(write_text(d, "case.yaml", what->result->case_text, what->result->case_length));
     }
     if (what->report) {

@@ -37,6 +37,11 @@ const char *config_path(const config *cfg);
 // The case's bytes as read, for the result store (overrides not applied).
 const char *config_text(const config *cfg, size_t *length);
 
+// The file's text with its overrides and more of them put in the place of the values that stand
+// there; those of keys that are not written in it follow as comment lines. *text is the caller's.
+status config_rewrite(const config *cfg, int nsetting, const char *const *settings, char **text,
+                      size_t *length);
+
 // The length of the rod, as L in expressions; call before config_read. Wherever a number stands,
 // arithmetic may stand (io/expression.h). Under a key with a unit of length L and s have that unit:
 // `end_mm: L/2`, `radius_mm: 3 + s/40`. Under any other key they are in metres; there only ratios

@@ -170,6 +170,7 @@ typedef struct run_result {
     bool has_sensitivity;
     sensitivity_result sensitivity;
     fit_result fit;
+    char *fitted_case; // with the fitted values put in, NUL at its end; not in the store
 
     char **load_name; // [segment.nload], owned, where a store was read; NULL where the case owns
                       // the loads' names
