@@ -87,7 +87,7 @@ static status check_pairing(int count, const pairing *p)
 }
 
 // Horn's matrix: its largest eigenvalue's vector is the quaternion of the best rotation, its
-// smallest eigenvalue what the best mirrored motion would reach (theory, section 7)
+// smallest eigenvalue what the best mirrored motion would reach, docs/theory.md (9.40)
 static void horn(const mat3 *s, double n[4][4])
 {
     const double(*a)[3] = s->a;
@@ -130,7 +130,7 @@ static status best_motion(const pairing *p, pose *out)
     return OK;
 }
 
-// what one fiducial of weight w says of (u, w): J = [I, -hat(p)]
+// what one fiducial of weight w says of (u, w): J = [I, -hat(p)], (9.41)
 static void add_information(mat6 *sum, double w, vec3 p)
 {
     const mat3 hat = mat3_hat(p);
@@ -249,7 +249,7 @@ done:
     return st;
 }
 
-// --- carried on
+// --- carried on (9.44)
 
 mat3 registration_covariance_at(const registration *r, vec3 rod)
 {

@@ -1,6 +1,6 @@
 // measure/registration.h
 // From a scanner's frame to the rod's: z along the rod at its base, the base's centre at the
-// origin. docs/theory.md section "Measurements".
+// origin. docs/theory.md (9.40) to (9.44).
 #pragma once
 
 #include "base/se3.h"

@@ -60,7 +60,8 @@ static double distance(const cloud_plane *p, vec3 at)
     return vec3_dot(p->normal, vec3_sub(at, p->centre));
 }
 
-// every n-th point judges: the sum of its squared distance within the noise' reach, 1 each beyond
+// (9.42) every n-th point judges: the sum of its squared distance within the noise' reach, 1 each
+// beyond
 static double cost_of(const plane_search *f, const cloud_plane *p, size_t step)
 {
     const double reach = REACH_OF_NOISE * f->options->noise;

@@ -72,6 +72,14 @@ valid_json "$work/result/scan.json"
 tail -1 "$work/result/centreline.csv" | awk -F, '{
     exit !($1 > 119.5 && $1 < 120.5 && $2 * $2 < 0.04 && ($3 - 84.969) ^ 2 < 0.09 && ($4 - 54.558) ^ 2 < 0.09) }' ||
     fail "the tip: $(tail -1 "$work/result/centreline.csv")"
+# what it writes, a case reads
+sed 's/^  tensions_N:.*/  tensions_N: [[0.49, 0]]/' "$source/cases/constant_nc.yaml" >"$work/case.yaml"
+cat >>"$work/case.yaml" <<END
+measured:
+  synthetic: true
+  shapes: [{name: arc, csv: result/centreline.csv, solution: 1}]
+END
+expect 0 "$program" check "$work/case.yaml"
 expect 2 "$program" scan "$work/scan.yaml" --out "$work/result"
 err '--force replaces it'
 expect 0 "$program" scan "$work/scan.yaml" --out "$work/result" --force --set scan.spacing_mm=5
