@@ -121,7 +121,7 @@ done:
 // What is left by a rung of the one below where only orders rise, and what one layer more leaves
 // beside GROWTH^(-2 lambda): larger than what is measured, docs/theory.md (5.15).
 static const double ORDER_LEFT[RUNG_COUNT] = {1, 0.65, 2.0 / 3, 0.6, 0, 0};
-static const double LAYER_LEFT = 1.5;
+static const double LAYER_LEFT = 2;
 
 // a tip's tractions jump at interfaces: its shear and torsion wait for thin elements there
 static const double TRACTION_LEFT = 2.0 / 3;
