@@ -120,14 +120,16 @@ done:
     return st;
 }
 
+// of a mesh of the case's own nothing is known but that it converges
 double segment_plan_factor(const segment_case *c, const segment_source *source, int rung,
                            bool grows)
 {
-    const double factor = is_given(c) ? 1 : segment_rung_factor(rung, source->nu, c->tip);
-    return is_given(c) || grows ? factor : fmax(factor, segment_rung_slowest());
+    const double slowest = segment_rung_slowest();
+    const double factor = segment_rung_factor(rung, source->nu, c->tip);
+    return is_given(c) ? slowest : grows ? factor : fmax(factor, slowest);
 }
 
 double segment_plan_law_factor(const segment_case *c, int rung)
 {
-    return is_given(c) ? 1 : segment_rung_law_factor(rung);
+    return is_given(c) ? segment_rung_slowest() : segment_rung_law_factor(rung);
 }
