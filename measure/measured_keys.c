@@ -24,7 +24,6 @@ static const key shape_key_list[] = {
      .dimension = DIM_FORCE,
      .min = 0,
      .max = MOST_NEWTONS,
-     .max_count = 1,
      .one_of = 1,
      .offset = offsetof(measured_shape, tensions),
      .about = "one per tendon: those of the rod's solution that was measured"},
