@@ -8,8 +8,8 @@
 #include <string.h>
 
 // of the rod's length: what a parabola takes for one curvature, wide enough that a scanner's noise
-// of 0.05 mm leaves 1 or 2 per metre on a rod of 120 mm
-#define BEND_WINDOW 0.125
+// of 0.05 mm leaves 1 per metre on a rod of 120 mm
+#define BEND_WINDOW 0.2
 
 // A solution's centreline in the frame of its base, docs/theory.md (9.19).
 typedef struct own_line {

@@ -56,6 +56,17 @@ line_fit line_fit_at(int n, const double *s, const vec3 *p, double at)
     return f;
 }
 
+void line_fit_slope_weights(int n, const double *s, double at, double *weight)
+{
+    const basis q = basis_over(n, s, at);
+    for (int i = 0; i < n; i++) {
+        const double x = (s[i] - at) / q.scale;
+        weight[i] = value(&q, 1, x) / q.norm[1];
+        weight[i] += q.degree > 1 ? (-q.a - q.b) * value(&q, 2, x) / q.norm[2] : 0;
+        weight[i] /= q.scale;
+    }
+}
+
 void line_fit_bend_weights(int n, const double *s, double at, double *weight)
 {
     const basis q = basis_over(n, s, at);

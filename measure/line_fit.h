@@ -11,7 +11,8 @@ typedef struct line_fit {
 
 // A parabola through n places (a straight line of two), each component by least squares.
 line_fit line_fit_at(int n, const double *s, const vec3 *p, double at);
-// The weight of each place in `bend` [n].
+// The weight of each place in `slope` and in `bend` [n].
+void line_fit_slope_weights(int n, const double *s, double at, double *weight);
 void line_fit_bend_weights(int n, const double *s, double at, double *weight);
 
 // The variance of sum part_i . e_i, where the three components of e have deviation 1 and go

@@ -183,40 +183,55 @@ done:
 
 // --- the tip
 
+enum { MOST_PLACES = 512 }; // of the line's last tenth
+
+// of e_i over the places, each with its weight in one component of the slope
+static double slope_sigma(const centreline *c, int n, const double *s, const double *sigma)
+{
+    double weight[MOST_PLACES];
+    vec3 part[MOST_PLACES];
+    line_fit_slope_weights(n, s, s[0], weight);
+    for (int i = 0; i < n; i++) {
+        part[i] = (vec3){{weight[i] * sigma[i], 0, 0}};
+    }
+    return sqrt(correlated_variance(n, s, part, c->correlation_length));
+}
+
 // The angle between the lines' tangents at their ends: of both the parabola by least squares
 // through the same places.
-static double angle_at_tip(const two_lines *t)
+static void angle_at_tip(const two_lines *t, shape_error *e)
 {
-    enum { MOST = 512 };
     const centreline *c = t->measured;
     const int last = c->count - 1;
-    double s[MOST];
-    vec3 ours[MOST], theirs[MOST];
+    double s[MOST_PLACES], sigma[MOST_PLACES];
+    vec3 ours[MOST_PLACES], theirs[MOST_PLACES];
     int n = 0;
-    for (int i = last; i >= 0 && n < MOST; i--) {
+    for (int i = last; i >= 0 && n < MOST_PLACES; i--) {
         if (n >= 3 && c->s[i] < c->s[last] - TANGENT_SHARE * t->to) {
             break;
         }
         s[n] = c->s[i];
+        sigma[n] = c->sigma[i];
         ours[n] = model_line_at(t->model, c->s[i]);
         theirs[n++] = c->p[i];
     }
     const vec3 a = line_fit_at(n, s, ours, s[0]).slope, b = line_fit_at(n, s, theirs, s[0]).slope;
-    return atan2(vec3_norm(vec3_cross(a, b)), vec3_dot(a, b));
+    e->tip_angle = atan2(vec3_norm(vec3_cross(a, b)), vec3_dot(a, b));
+    e->tip_angle_sigma = slope_sigma(c, n, s, sigma) / vec3_norm(b);
 }
 
 static void at_the_tip(const two_lines *t, bool tip, shape_error *e)
 {
     const int last = t->measured->count - 1;
     const model_line *m = t->model;
-    e->tip = e->tip_sigma = e->tip_angle = NAN;
+    e->tip = e->tip_sigma = e->tip_angle = e->tip_angle_sigma = NAN;
     if (tip) {
         const vec3 place = t->measured->s[last] > m->s[m->count - 1]
                                ? centreline_at(t->measured, m->s[m->count - 1])
                                : t->measured->p[last];
         e->tip = vec3_norm(vec3_sub(m->p[m->count - 1], place));
         e->tip_sigma = t->measured->sigma[last];
-        e->tip_angle = angle_at_tip(t);
+        angle_at_tip(t, e);
     }
 }
 

@@ -56,11 +56,11 @@ typedef struct shape_error {
     double longer;         // the measured line than the model's [m]
     double tip, tip_sigma; // |p(L) - p_measured(L)|, its standard uncertainty [m]; NAN: the tip was
                            // not measured, sigma unknown
-    double tip_angle;      // between the tangents there [rad]; NAN likewise
-    double shape, shape_sigma; // the paper's shape error [-]
-    double mean, rms;          // distance over the arclength [m]
-    double largest, at;        // the largest distance, and its arclength [m]
-    double base;               // distance at s = 0 [m]; NAN: not measured there
+    double tip_angle, tip_angle_sigma; // between the tangents there [rad]; NAN likewise
+    double shape, shape_sigma;         // the paper's shape error [-]
+    double mean, rms;                  // distance over the arclength [m]
+    double largest, at;                // the largest distance, and its arclength [m]
+    double base;                       // distance at s = 0 [m]; NAN: not measured there
 } shape_error;
 
 // matched: of shape_match; `tip` as it told. ERR_INPUT where nothing of the rod was measured.

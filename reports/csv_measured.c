@@ -8,12 +8,33 @@
 
 static void write_errors(csv *c, const run_result *r, const measured_line *line)
 {
-    const shape_error none = {NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN};
+    const shape_error none = {.tip = NAN,
+                              .tip_sigma = NAN,
+                              .tip_angle = NAN,
+                              .tip_angle_sigma = NAN,
+                              .shape = NAN,
+                              .shape_sigma = NAN,
+                              .mean = NAN,
+                              .rms = NAN,
+                              .largest = NAN,
+                              .at = NAN,
+                              .from = NAN,
+                              .to = NAN,
+                              .longer = NAN};
     const shape_error *e = line ? &line->error : &none;
-    const double values[] = {e->tip,       e->tip_sigma, e->tip / r->rod_length,
-                             e->tip_angle, e->shape,     e->shape_sigma,
-                             e->mean,      e->rms,       e->largest,
-                             e->at,        e->from,      e->to,
+    const double values[] = {e->tip,
+                             e->tip_sigma,
+                             e->tip / r->rod_length,
+                             e->tip_angle,
+                             e->tip_angle_sigma,
+                             e->shape,
+                             e->shape_sigma,
+                             e->mean,
+                             e->rms,
+                             e->largest,
+                             e->at,
+                             e->from,
+                             e->to,
                              e->longer};
     csv_reals(c, (int)(sizeof values / sizeof *values), values);
 }
@@ -30,7 +51,8 @@ static status write_rows(const run_result *r, const char *dir)
     measured_row rows[MEASURED_ROWS];
     const int n = measured_rows(r, rows);
     csv_add_all(&h, "name data file solution_count tendon tension_N tip_error_m "
-                    "tip_error_sigma_m tip_error_of_length_ratio tip_angle_rad shape_error_ratio "
+                    "tip_error_sigma_m tip_error_of_length_ratio tip_angle_rad "
+                    "tip_angle_sigma_rad shape_error_ratio "
                     "shape_error_sigma_ratio mean_distance_m rms_distance_m largest_distance_m "
                     "largest_distance_at_m from_m to_m longer_than_model_m paper_tip_error_m "
                     "paper_tip_error_of_length_ratio paper_shape_error_ratio");

@@ -38,14 +38,16 @@ double measured_legend_height(const run_result *r)
 
 static void legend_entry(canvas *c, const run_result *r, int i, double x, double y, double width)
 {
-    char text[2 * MEASURED_NAME + 160];
+    char tip[120] = "not measured", text[MEASURED_NAME + 240];
     const measured_line *line = &r->measured.line[i];
-    const measured_row row = {line, NULL, line->solution};
-    const measured_cells cells = measured_cells_of(r, &row, " ± ");
+    const shape_error *e = &line->error;
     const colour ink = measured_ink(r, i);
-    const bool tip = !isnan(line->error.tip);
-    (void)snprintf(text, sizeof text, "%s: tip %s%s, shape error %s %%", cells.name, cells.tip,
-                   tip ? " mm (% of L)" : "", cells.shape);
+    if (!isnan(e->tip)) {
+        (void)snprintf(tip, sizeof tip, "%s mm (%s %% of L)", number_fixed(1e3 * e->tip, 2).text,
+                       number_fixed(100 * e->tip / r->rod_length, 1).text);
+    }
+    (void)snprintf(text, sizeof text, "%s: tip %s, shape error %s %%", line->name, tip,
+                   number_fixed(100 * e->shape, 2).text);
     canvas_segment(c, x, y - 4, x + 24, y - 4);
     canvas_stroke(c, ink, 2);
     canvas_circle(c, x + 12, y - 4, 2.6);

@@ -30,6 +30,7 @@ static void write_errors(json *j, const run_result *r, const measured_line *line
     json_real(j, "tip_error_sigma_m", e->tip_sigma);
     json_real(j, "tip_error_of_length", e->tip / r->rod_length);
     json_real(j, "tip_angle_rad", e->tip_angle);
+    json_real(j, "tip_angle_sigma_rad", e->tip_angle_sigma);
     json_real(j, "shape_error", e->shape);
     json_real(j, "shape_error_sigma", e->shape_sigma);
     json_real(j, "mean_distance_m", e->mean);

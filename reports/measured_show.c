@@ -89,7 +89,7 @@ static void error_cells(const run_result *r, const measured_line *line, const ch
         const size_t used = strlen(c->tip);
         (void)snprintf(c->tip + used, sizeof c->tip - used, " (%.1f)",
                        100 * e->tip / r->rod_length);
-        (void)snprintf(c->angle, sizeof c->angle, "%.2f", degrees * e->tip_angle);
+        with_sigma(c->angle, degrees * e->tip_angle, degrees * e->tip_angle_sigma, plus_minus);
     }
     with_sigma(c->shape, 100 * e->shape, 100 * e->shape_sigma, plus_minus);
     (void)snprintf(c->rms, sizeof c->rms, "%.2f", 1e3 * e->rms);

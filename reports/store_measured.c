@@ -20,6 +20,7 @@ static status pass_errors(const passage *p, measured_result *m)
         {"tip_error_m", COLUMN_KNOWN, "m", ERROR_OF(tip), 0, {0}, 0},
         {"tip_error_sigma_m", COLUMN_KNOWN, "m", ERROR_OF(tip_sigma), 0, {0}, 0},
         {"tip_angle_rad", COLUMN_KNOWN, "rad", ERROR_OF(tip_angle), 0, {0}, 0},
+        {"tip_angle_sigma_rad", COLUMN_KNOWN, "rad", ERROR_OF(tip_angle_sigma), 0, {0}, 0},
         {"shape_error", COLUMN_REAL, "-", ERROR_OF(shape), 0, {0}, 0},
         {"shape_error_sigma", COLUMN_KNOWN, "-", ERROR_OF(shape_sigma), 0, {0}, 0},
         {"mean_m", COLUMN_REAL, "m", ERROR_OF(mean), 0, {0}, 0},

@@ -239,6 +239,8 @@ static void uncertainty_of_the_shape_error(void)
     shape_error e = error_of(&l, at_rest);
     CHECK_NEAR(e.shape_sigma, 0.01 * sqrt(9.0 / 4 + 1.0 / 4 + 1.0 / 9 + 1.0 / 64), 1e-12);
     CHECK_NEAR(e.tip_sigma, 0.01, 1e-12);
+    // the slope at the end of the parabola through the last three: (3, -4, 1) / (2 h), h = 1/4
+    CHECK_NEAR(e.tip_angle_sigma, 0.01 * sqrt(26) * 2, 1e-12);
     l.measured.correlation_length = 1e12; // all go together
     e = error_of(&l, at_rest);
     CHECK_NEAR(e.shape_sigma, 0.01 * 59.0 / 24, 1e-10);

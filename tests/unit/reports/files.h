@@ -36,7 +36,10 @@ static inline void scratch_free(const char *dir)
                                         "segment_along.svg",  "segment_along.png",
                                         "segment_mesh.svg",   "segment_mesh.png",
                                         "segment.csv",        "compare.csv",
-                                        "models.csv",         "segment_slices.csv"};
+                                        "models.csv",         "segment_slices.csv",
+                                        "measured.csv",       "measured_shapes.csv",
+                                        "measured.svg",       "measured.png",
+                                        "measured_along.svg", "measured_along.png"};
     char path[256];
     for (size_t i = 0; i < sizeof files / sizeof *files; i++) {
         (void)snprintf(path, sizeof path, "%s/%s", dir, files[i]);
