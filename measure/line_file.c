@@ -114,7 +114,8 @@ static status check_places(const table *t, const centreline *c)
     return OK;
 }
 
-status line_file_read(const char *directory, const key_text *name, double length, centreline *out)
+status line_file_read(const char *directory, const key_text *name, double length, centreline *out,
+                      bool *synthetic)
 {
     static const table_limits limits = {.bytes = 16 << 20, .rows = 20000};
     status st = OK;
@@ -135,6 +136,7 @@ status line_file_read(const char *directory, const key_text *name, double length
     TRY(take_sigma(&t, &c));
     TRY(check_arclength(&t, &c, length));
     TRY(check_places(&t, &c));
+    *synthetic = *synthetic || table_says(&t, "synthetic");
     *out = c;
     c = (centreline){0};
 

@@ -9,4 +9,6 @@
 // `length` of the rod [m]: an arclength that cannot be one of it has the wrong unit. ERR_FILE
 // "FILE:LINE: words" for gaps, an arclength that does not ascend from the base, fewer than two
 // places, places that are further apart than their arclengths, units that cannot be right.
-status line_file_read(const char *directory, const key_text *name, double length, centreline *out);
+// *synthetic becomes true where the lines above the rows have this word.
+status line_file_read(const char *directory, const key_text *name, double length, centreline *out,
+                      bool *synthetic);

@@ -118,7 +118,7 @@ status measured_case_read(measured_case *c, const char *directory, double length
     for (int i = 0; i < c->shapes.count; i++) {
         centreline *line = &shape[i].line;
         *where = shape[i].csv.at;
-        TRY(line_file_read(directory, &shape[i].csv, length, line));
+        TRY(line_file_read(directory, &shape[i].csv, length, line, &c->synthetic));
         line->correlation_length = c->correlation > 0 ? c->correlation : NAN;
         for (int k = 0; k < line->count; k++) {
             line->sigma[k] = isnan(line->sigma[k]) && c->sigma > 0 ? c->sigma : line->sigma[k];

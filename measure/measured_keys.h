@@ -22,7 +22,7 @@ typedef struct measured_shape {
 
 typedef struct measured_case {
     mark at;
-    bool synthetic;     // not from a bench
+    bool synthetic;     // not from a bench: the case says so, or one of its files
     const char *source; // NULL where not given
     int paper;          // measured_paper: whose published errors stand beside
     int arclength;      // shape_arclength

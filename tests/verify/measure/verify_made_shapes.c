@@ -27,7 +27,10 @@ static void the_files_are_those(const char *folder)
         centreline c = {0};
         double row[MADE_POINTS][4];
         made_rows(i, row);
-        CHECK_OK(line_file_read(folder, &(key_text){made_shapes[i].file, {1, 1}}, made_length, &c));
+        bool said = false;
+        CHECK_OK(line_file_read(folder, &(key_text){made_shapes[i].file, {1, 1}}, made_length, &c,
+                                &said));
+        CHECK(said);
         CHECK(c.count == MADE_POINTS);
         for (int k = 0; k < c.count && c.count == MADE_POINTS; k++) {
             CHECK_WITHIN(1e3 * c.s[k], 1e3 * row[k][0], LAST_DIGIT);
