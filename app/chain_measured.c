@@ -11,7 +11,7 @@
 // of 0.05 mm leaves 1 per metre on a rod of 120 mm
 #define BEND_WINDOW 0.2
 
-// A solution's centreline in the frame of its base, docs/theory.md (9.19).
+// A solution's centreline in the frame of its base, docs/theory.md (9.50).
 typedef struct own_line {
     vec3 *p, *slope;
     double *along;

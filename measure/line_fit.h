@@ -18,5 +18,5 @@ void line_fit_bend_weights(int n, const double *s, double at, double *weight);
 // The variance of sum part_i . e_i, where the three components of e have deviation 1 and go
 // together like exp(-|s_i - s_k| / length); length NAN: not at all. s in ascending or descending
 // order.
-//   docs/theory.md (9.24)
+//   docs/theory.md (9.55)
 double correlated_variance(int n, const double *s, const vec3 *part, double length);

@@ -34,7 +34,7 @@ static vec3 difference(const two_lines *t, double s)
     return vec3_sub(model_line_at(t->model, s), centreline_at(t->measured, s));
 }
 
-// at the base both are clamped: up to the first station the difference grows from 0, (9.21)
+// at the base both are clamped: up to the first station the difference grows from 0, (9.52)
 static double over_arclength(const two_lines *t, double s)
 {
     vec3 d = difference(t, s);
@@ -153,7 +153,7 @@ static double station_weight(const two_lines *t, int i)
     return left + 0.5 * (after - s);
 }
 
-// dE = 1/(to - from) sum w_i n_i . e_i / s_i      docs/theory.md (9.23)
+// dE = 1/(to - from) sum w_i n_i . e_i / s_i      docs/theory.md (9.54)
 static status shape_uncertainty(const two_lines *t, double *sigma)
 {
     status st = OK;

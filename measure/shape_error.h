@@ -47,7 +47,7 @@ typedef struct shape_way {
 
 // The measured line over the arclength of the unloaded rod. *tip: whether it ends at the tip;
 // *longer: how much longer it is than the model's [m].
-//   s = along^-1(sigma along(L) / sigma_end)      docs/theory.md (9.20)
+//   s = along^-1(sigma along(L) / sigma_end)      docs/theory.md (9.51)
 status shape_match(const model_line *m, const centreline *measured, const shape_way *way,
                    centreline *out, bool *tip, double *longer);
 
@@ -64,11 +64,11 @@ typedef struct shape_error {
 } shape_error;
 
 // matched: of shape_match; `tip` as it told. ERR_INPUT where nothing of the rod was measured.
-//   shape = 1/(to - from) int |p - p_measured| / s ds      docs/theory.md (9.21)
+//   shape = 1/(to - from) int |p - p_measured| / s ds      docs/theory.md (9.52)
 status shape_error_find(const model_line *m, const centreline *matched, bool tip, shape_error *out);
 
 // How a measured line turns per arclength at its stations, by parabolas through the stations within
 // `window` of arclength: b = p' x p'' / |p'|^2 [1/m], and the standard uncertainty of each of its
 // components. NAN where less than the whole window, or fewer than four stations, were measured.
-//   docs/theory.md (9.25)
+//   docs/theory.md (9.56)
 void centreline_bend(const centreline *c, double window, vec3 *bend, double *sigma);
