@@ -12,7 +12,9 @@ enum { COARSE = 400, FINE = 241, CAP_POINTS = 20 };
 // radii that are looked at: the last cylinder, and what the line goes on beyond it; no further,
 // lest the other side of a bridged gap is taken for the end
 static const double edge_reach = 2.7;
-static const double shell = 3; // deviations: points on the surface
+static const double shell = 3;         // deviations: points on the surface
+static const double zone_length = 0.5; // radii before an end whose density counts
+static const double cap_reach = 0.9;   // radii: points within close the end
 
 // places along the line of the points on the surface, measured outward from `from`
 typedef struct edge {
@@ -76,33 +78,27 @@ static double sharp_step(const edge *e)
     return at;
 }
 
-// log likelihood of a step at s, smeared by the noise; a, b densities before and behind it  (7.10)
-static double smeared(const edge *e, double a, double b, double s)
+// log likelihood of a step at s, smeared by the noise, b behind it; the density before it is what
+// holds the zone's points                                                                   (7.10)
+static double smeared(const edge *zone, double b, double s)
 {
-    double sum = -a * s - b * (e->length - s);
-    for (size_t i = 0; i < e->count; i++) {
-        const double z = (s - e->s[i]) / e->smear;
+    const double before = ((double)zone->count - b * (zone->length - s)) / s;
+    const double a = fmax(before, 2 * b);
+    double sum = -a * s - b * (zone->length - s);
+    for (size_t i = 0; i < zone->count; i++) {
+        const double z = (s - zone->s[i]) / zone->smear;
         sum += z > 6 ? log(a) : z < -6 ? log(b) : log(b + (a - b) * 0.5 * erfc(-z / sqrt(2)));
     }
     return sum;
 }
 
-// mean and deviation of the likelihood round a sharp step
-static void smeared_step(const edge *e, double *at, double *sigma)
+// mean and deviation of the likelihood between two places
+static void mean_place(const edge *zone, double b, double from, double to, double *at,
+                       double *sigma)
 {
-    const double half = 8 * e->smear + 3 * e->length / COARSE, start = *at;
-    const double from = fmax(1e-3 * e->length, start - half);
-    const double to = fmin(e->length, start + half);
-    size_t before = 0, behind = 0;
-    for (size_t i = 0; i < e->count; i++) {
-        before += e->s[i] < from;
-        behind += e->s[i] > to;
-    }
-    const double a = fmax(1, (double)before) / from;
-    const double b = fmin(0.5 * a, ((double)behind + 0.5) / (e->length - to + 10 * e->smear));
     double value[FINE], top = -INFINITY, sum = 0, mean = 0, square = 0;
     for (int i = 0; i < FINE; i++) {
-        value[i] = smeared(e, a, b, from + (to - from) * i / (FINE - 1));
+        value[i] = smeared(zone, b, from + (to - from) * i / (FINE - 1));
         top = fmax(top, value[i]);
     }
     for (int i = 0; i < FINE; i++) {
@@ -115,63 +111,85 @@ static void smeared_step(const edge *e, double *at, double *sigma)
     *sigma = sqrt(fmax(square / sum - *at * *at, pow((to - from) / FINE, 2) / 12));
 }
 
+// the zone round a sharp step: short, for patches without points change the density further away
+static void smeared_step(const edge *e, double radius, double *at, double *sigma)
+{
+    const double start = *at, half = 5 * e->smear + 3 * e->length / COARSE;
+    const double begin = fmax(0, start - fmax(3 * half, zone_length * radius));
+    const double beyond = fmin(e->length, start + half);
+    size_t before = 0, behind = 0;
+    for (size_t i = 0; i < e->count; i++) {
+        e->s[i] -= begin;
+        before += e->s[i] <= 0;
+        behind += e->s[i] > beyond - begin;
+    }
+    const edge zone = {e->count - before, e->s + before, e->length - begin, e->smear};
+    const double b = ((double)behind + 0.5) / (e->length - beyond + 10 * e->smear);
+    mean_place(&zone, b, fmax(0.5 * (start - begin), start - half - begin), beyond - begin, at,
+               sigma);
+    *at += begin;
+}
+
+// where points in front of the end lie, if it is a plane, and if it is a half ball
 typedef struct cap {
-    size_t flat, round, all;
-    double *z;
-    double lift, weight; // of a half ball's points beyond it, least squares
+    size_t count;
+    double *flat, *round; // [count] each point's opinion of how far beyond the end
 } cap;
 
 static status look_at_cap(const tube_fit *f, int side, double end, cap *c)
 {
     status st = OK;
     vec3 t;
+    const double r = f->radius;
     const vec3 p = tube_curve_at(&f->curve, end, &t, NULL);
     t = vec3_scale(side / vec3_norm(t), t);
-    TRY(TAKE(c->z, f->count));
+    TRY(TAKE(c->flat, f->count));
+    TRY(TAKE(c->round, f->count));
     for (size_t i = 0; i < f->count; i++) {
         const vec3 v = vec3_sub((vec3){{f->p[i][0], f->p[i][1], f->p[i][2]}}, p);
-        const double z = vec3_dot(v, t), r = f->radius, ball = vec3_norm(v) - r;
-        const double d = sqrt(fmax(0, vec3_dot(v, v) - z * z));
-        if (d > r - 5 * f->noise || z < -0.5 * r || z > 1.5 * r) {
-            continue;
-        }
-        c->z[c->all++] = z;
-        if (z > 0 && fabs(ball) < 0.1 * r) {
-            c->round++;
-            c->lift += ball * z / (r + ball);
-            c->weight += pow(z / (r + ball), 2);
+        const double z = vec3_dot(v, t), d = sqrt(fmax(0, vec3_dot(v, v) - z * z));
+        // no further back: a bent tube's own wall comes near the straight axis there
+        if (d < fmin(cap_reach * r, r - 5 * f->noise) && z > -0.5 * r && z < 1.5 * r) {
+            c->flat[c->count] = z;
+            c->round[c->count++] = z - sqrt(r * r - d * d) + r;
         }
     }
-    qsort(c->z, c->all, sizeof *c->z, by_value);
+    qsort(c->flat, c->count, sizeof *c->flat, by_value);
+    qsort(c->round, c->count, sizeof *c->round, by_value);
 
 done:
     return st;
 }
 
-// closed by a plane: its points say where the end is, better than the step; by a half ball: the
-// end is a radius further
+// how many are of the middle one's opinion
+static size_t agreed(const double *x, size_t count, double within)
+{
+    size_t n = 0;
+    for (size_t i = 0; i < count; i++) {
+        n += fabs(x[i] - x[count / 2]) < within;
+    }
+    return n;
+}
+
+// points that close the end say where it is, better than the step does
 static status close_end(const tube_fit *f, int side, tube_end *out)
 {
     status st = OK;
     cap c = {0};
     TRY(look_at_cap(f, side, out->u, &c));
-    const double z = c.all ? c.z[c.all / 2] : 0;
-    for (size_t i = 0; i < c.all; i++) {
-        c.flat += fabs(c.z[i] - z) < 3 * f->noise;
-    }
-    if (c.flat >= CAP_POINTS && 2 * c.flat > c.all) {
-        out->kind = TUBE_TIP_FLAT;
-        out->u += side * z;
-        out->sigma = 1.25 * f->noise / sqrt((double)c.flat);
-    } else if (c.round >= CAP_POINTS && 2 * c.round > c.all) {
-        const double lift = c.lift / c.weight;
-        out->kind = TUBE_TIP_ROUND;
-        out->u += side * (f->radius + lift);
-        out->sigma = hypot(f->noise / sqrt(c.weight), f->radius_sigma);
+    const size_t flat = agreed(c.flat, c.count, 4 * f->noise);
+    const size_t round = agreed(c.round, c.count, 4 * f->noise);
+    const size_t most = flat > round ? flat : round;
+    if (most >= CAP_POINTS && 2 * most > c.count) {
+        out->kind = flat > round ? TUBE_TIP_FLAT : TUBE_TIP_ROUND;
+        out->u += side * (flat > round ? c.flat : c.round)[c.count / 2];
+        // a median's deviation; a half ball's points are at a slope
+        out->sigma = (flat > round ? 1.25 : 1.8) * f->noise / sqrt((double)most);
     }
 
 done:
-    free(c.z);
+    free(c.flat);
+    free(c.round);
     return st;
 }
 
@@ -186,7 +204,7 @@ status tube_find_end(const tube_fit *f, int side, tube_end *out)
         TRY(status_fail(ERR_FILE, "the tube's end is not to be seen"));
     }
     double at = sharp_step(&e), sigma = 0;
-    smeared_step(&e, &at, &sigma);
+    smeared_step(&e, f->radius, &at, &sigma);
     *out = (tube_end){.u = from + side * at, .sigma = sigma, .kind = TUBE_TIP_OPEN};
     TRY(close_end(f, side, out));
 

@@ -13,6 +13,7 @@ static const double stride = 1;                             // radii from one cy
 static const double trace_reach = 0.35, bridge_reach = 0.6; // radii: from the predicted surface
 static const double most_shift = 0.7; // radii that a cylinder may lie off its prediction
 static const double most_turn = 0.6;  // rad
+static const double near_base = 4;    // radii: cylinders that may be the clamp's
 
 typedef struct walk {
     const tube_grid *grid;
@@ -46,10 +47,13 @@ static status fit_at(walk *w, const tube_station *start, double reach, tube_stat
 }
 
 // below the base plane, or further than the body is long
-static bool is_past(const walk *w, const tube_station *s, double walked)
+static bool is_past(const walk *w, const tube_station *s, double sign, double walked)
 {
     const tube_options *o = w->options;
-    if (o->base_is_plane && vec3_dot(vec3_sub(s->c, o->base), o->direction) < -0.2 * s->radius) {
+    // a body may bend back below its base: only what leads away from it ends there
+    if (o->base_is_plane && sign * vec3_dot(s->t, o->direction) < 0 &&
+        vec3_norm(vec3_sub(s->c, o->base)) < near_base * s->radius &&
+        vec3_dot(vec3_sub(s->c, o->base), o->direction) < -0.2 * s->radius) {
         return true;
     }
     return isfinite(o->length) && walked > o->length + 2 * s->radius;
@@ -76,7 +80,7 @@ static status go(walk *w, const tube_station *seed, double sign)
     while (gap <= most_gap && w->count < MOST_STATIONS) {
         const tube_station guess = tube_station_ahead(&last, sign * (gap + stride * r));
         tube_station next;
-        if (is_past(w, &guess, walked + gap)) {
+        if (is_past(w, &guess, sign, walked + gap)) {
             break;
         }
         TRY(fit_at(w, &guess, gap > 0 ? bridge_reach : trace_reach, &next));

@@ -66,6 +66,24 @@ static inline pose made_line_at(const made_line *line, double s)
     return pose_mul(line->at[i], se3_exp(vec6_scale(x - i, twist)));
 }
 
+// the direction that is most across all of the line: where a scanner would stand
+static inline vec3 made_view(const made_line *line)
+{
+    vec3 best = {{1, 0, 0}};
+    double least = INFINITY;
+    for (int k = 0; k < 500; k++) {
+        const double z = 1 - (k + 0.5) / 250, turn = 2.39996323 * k, rho = sqrt(1 - z * z);
+        const vec3 v = {{rho * cos(turn), rho * sin(turn), z}};
+        double along = 0;
+        for (int i = 0; i < MADE_STATIONS; i += 20) {
+            along = fmax(along, fabs(vec3_dot(v, mat3_mul_vec(line->at[i].R, (vec3){{0, 0, 1}}))));
+        }
+        best = along < least ? v : best;
+        least = fmin(along, least);
+    }
+    return best;
+}
+
 // --- the cloud
 
 typedef enum made_cap { MADE_OPEN, MADE_FLAT, MADE_ROUND } made_cap;
@@ -76,7 +94,8 @@ typedef struct made_scan {
     double noise;   // deviation in every direction [m]
     double missing; // share of the surface in patches without points
     double gap[2];  // from, to along s without points; 0, 0: none
-    double visible; // angle seen from one side [rad], from direction x; 0: all around
+    double visible; // angle seen from one side [rad]; 0: all around
+    vec3 view;      // from where; 0: from x
     double stray;   // share of the points, uniform in the box
     bool hand;      // three fingers of 8 mm radius that touch the body, and a palm
     bool plate;     // round it at the base, 30 mm wide
@@ -156,7 +175,8 @@ static inline void made_tube_point(made_work *w)
     const vec3 axis = mat3_mul_vec(g.R, (vec3){{0, 0, 1}});
     const double area = vec3_dot(vec3_sub(p1, p), axis) / 1e-5;
     const bool in_gap = s > w->scan->gap[0] && s < w->scan->gap[1];
-    const bool hidden = w->scan->visible > 0 && n.a[0] < cos(w->scan->visible / 2);
+    const vec3 x = {{1, 0, 0}}, view = vec3_norm(w->scan->view) > 0 ? w->scan->view : x;
+    const bool hidden = w->scan->visible > 0 && vec3_dot(n, view) < cos(w->scan->visible / 2);
     if (made_uniform(w, 0, 2) < area && !in_gap && !hidden && !made_patched(w, s, angle)) {
         made_put(w, p, w->scan->noise);
     }
