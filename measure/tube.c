@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { CELLS_PER_RADIUS = 8, MOST_PER_CELL = 8, END_STEPS = 8 };
+enum { END_STEPS = 8 };
 
 static const double shortest = 4;              // radii: less is no body whose line could be told
 static const double fit_reach = 0.3;           // radii: from the traced surface
@@ -52,23 +52,6 @@ static status check(const tube_options *o)
         return status_fail(ERR_INPUT, "lengths must be positive");
     }
     return OK;
-}
-
-// dense places thinned, then cells of one radius
-static status make_grid(const point_cloud *cloud, const tube_station *seed, tube_grid *out)
-{
-    status st = OK;
-    tube_grid fine = {0};
-    point_cloud thin = {0};
-    TRY(tube_grid_make(cloud, seed->c, seed->radius / CELLS_PER_RADIUS, &fine));
-    TRY(tube_grid_thin(&fine, MOST_PER_CELL, &thin));
-    tube_grid_free(&fine);
-    TRY(tube_grid_make(&thin, seed->c, seed->radius, out));
-
-done:
-    point_cloud_free(&thin);
-    tube_grid_free(&fine);
-    return st;
 }
 
 static double traced_length(const tube_trace *t)
@@ -132,7 +115,7 @@ static status solve_cut(tube_fit *f, const tube_options *o, tube_report *report)
     status st = OK;
     const double reach = fmax(8 * f->noise, 1e-3 * f->radius);
     f->free_radius = true;
-    TRY(tube_fit_solve(f, reach, true));
+    TRY(tube_fit_solve(f, reach, true, true));
     report->radius_free = f->radius;
     report->radius_free_sigma = f->radius_sigma;
     if (isfinite(o->radius)) {
@@ -145,7 +128,7 @@ static status solve_cut(tube_fit *f, const tube_options *o, tube_report *report)
         report->radius_differs = off > told_contradiction * o->radius && off > 6 * f->radius_sigma;
         f->free_radius = false;
         f->radius = o->radius;
-        TRY(tube_fit_solve(f, fmax(reach, 2 * off), true));
+        TRY(tube_fit_solve(f, fmax(reach, 2 * off), false, true));
     }
 
 done:
@@ -203,8 +186,7 @@ static status follow(const point_cloud *cloud, const tube_options *o, tube_windo
     tube_trace trace = {0};
     TRY(tube_seed(cloud, o, window, &seed));
     tell(o, 0.1);
-    TRY(make_grid(cloud, &seed, &grid));
-    report->thinned = grid.count;
+    TRY(tube_grid_make(cloud, seed.c, seed.radius, &grid));
     tell(o, 0.3);
     TRY(tube_trace_make(&grid, &seed, o, window, &trace));
     report->ncylinder = trace.ncylinder;
@@ -215,6 +197,7 @@ static status follow(const point_cloud *cloud, const tube_options *o, tube_windo
     TRY(tube_alone(&grid, &trace, o, window));
     tell(o, 0.6);
     TRY(tube_fit_make(&grid, &trace, o, window->door, f));
+    report->thinned = f->count;
 
 done:
     tube_trace_free(&trace);
@@ -240,7 +223,7 @@ status tube_centreline(const point_cloud *cloud, const tube_options *options, ce
     TRY(tube_window_make(door, &window));
     window.most_noise = isfinite(o.noise) ? 1.5 * o.noise : 0;
     TRY(follow(cloud, &o, &window, &f, report));
-    TRY(tube_fit_solve(&f, fit_reach * f.radius, false));
+    TRY(tube_fit_solve(&f, fit_reach * f.radius, false, false));
     tell(&o, 0.8);
     TRY(find_ends(&f, &o, &base, &tip));
     const vec3 end[2] = {tube_curve_at(&f.curve, base.u, NULL, NULL),

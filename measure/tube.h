@@ -36,10 +36,11 @@ typedef struct tube_gap {
 } tube_gap;
 
 typedef struct tube_report {
-    size_t points;       // in the cloud
-    size_t thinned;      // left after dense places were thinned: what the rest worked with
-    size_t used;         // of these, on the tube: residual within the loss' reach
-    size_t stray;        // of these, near nothing of the tube
+    size_t points; // in the cloud
+    size_t
+        thinned;  // near the tube, and looked at for its line: every so manyth where there are many
+    size_t used;  // of these, on the tube: within the loss' reach
+    size_t stray; // of these, not: something else's
     int ncylinder;       // fitted while tracing
     double length;       // of the line [m]
     double length_sigma; // from both ends' [m]

@@ -12,9 +12,10 @@ enum { COARSE = 400, FINE = 241, CAP_POINTS = 20 };
 // radii that are looked at: the last cylinder, and what the line goes on beyond it; no further,
 // lest the other side of a bridged gap is taken for the end
 static const double edge_reach = 2.7;
-static const double shell = 3;         // deviations: points on the surface
-static const double zone_length = 0.5; // radii before an end whose density counts
-static const double cap_reach = 0.9;   // radii: points within close the end
+static const double shell = 3;           // deviations: points on the surface
+static const double zone_length = 0.5;   // radii before an end whose density counts
+static const double still_surface = 0.1; // density behind an end against that before it
+static const double cap_reach = 0.9;     // radii: points within close the end
 
 // places along the line of the points on the surface, measured outward from `from`
 typedef struct edge {
@@ -128,6 +129,9 @@ static void smeared_step(const edge *e, double radius, double *at, double *sigma
     mean_place(&zone, b, fmax(0.5 * (start - begin), start - half - begin), beyond - begin, at,
                sigma);
     *at += begin;
+    if (b > still_surface * ((double)e->count - (double)behind) / *at) {
+        *sigma = fmax(*sigma, e->length - *at); // the surface seems to go on
+    }
 }
 
 // where points in front of the end lie, if it is a plane, and if it is a half ball

@@ -6,17 +6,20 @@
 
 #include "base/memory.h"
 
+#include <float.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_ROUNDS = 40, SMOOTHING_ROUNDS = 3, LEAST_ROUNDS = 6 };
+enum { MOST_ROUNDS = 40, SMOOTHING_ROUNDS = 2, LEAST_ROUNDS = 6, MOST_POINTS = 200000 };
 
 static const double near_trace = 2.2;      // radii: points that are looked at
 static const double beyond_trace = 1.5;    // radii that the line goes on beyond its first and last
                                            // cylinder
 static const double start_smoothing = 0.5; // radii
 static const double fade = 5;              // deviations at which a point no longer counts
-static const double settled = 1e-3;        // of the noise
+// radii: while the smoothing is not yet chosen, its bias must not cost points
+static const double least_reach = 1e-4, first_reach = 0.02;
+static const double settled = 1e-3;            // of the noise
 static const double normal_deviation = 1.4826; // of a median without sign
 
 void tube_fit_free(tube_fit *f)
@@ -61,43 +64,54 @@ done:
 }
 
 typedef struct owner {
-    double distance;
+    float distance; // 0: of none
     int station;
 } owner;
 
-// every point goes to its nearest cylinder, its foot is near there
+// every point near the trace goes to its nearest cylinder
+static size_t find_owners(const tube_grid *grid, const tube_trace *trace, double reach,
+                          uint32_t *near, owner *of)
+{
+    size_t count = 0;
+    for (int i = 0; i < trace->count; i++) {
+        const size_t n = tube_grid_near(grid, trace->at[i].c, reach, near, grid->count);
+        for (size_t k = 0; k < n; k++) {
+            const double *q = grid->p[near[k]];
+            const vec3 v = vec3_sub((vec3){{q[0], q[1], q[2]}}, trace->at[i].c);
+            const float d = (float)vec3_norm(v) + FLT_MIN;
+            count += of[near[k]].distance == 0;
+            if (of[near[k]].distance == 0 || d < of[near[k]].distance) {
+                of[near[k]] = (owner){d, i};
+            }
+        }
+    }
+    return count;
+}
+
+// Where there are very many, every so manyth: cell after cell, so evenly everywhere. Thinning dense
+// places alone would make much of the few points at the surface's fringe.
 static status take_points(const tube_grid *grid, const tube_trace *trace, const double *u,
                           tube_fit *f)
 {
     status st = OK;
     owner *of = NULL;
     uint32_t *near = NULL;
-    const double reach = near_trace * f->radius;
+    size_t seen = 0;
     TRY(TAKE(of, grid->count));
     TRY(TAKE(near, grid->count));
-    for (int i = 0; i < trace->count; i++) {
-        const size_t n = tube_grid_near(grid, trace->at[i].c, reach, near, grid->count);
-        for (size_t k = 0; k < n; k++) {
-            const double *q = grid->p[near[k]];
-            const double d = vec3_norm(vec3_sub((vec3){{q[0], q[1], q[2]}}, trace->at[i].c));
-            if (of[near[k]].distance == 0 || d < of[near[k]].distance) {
-                f->count += of[near[k]].distance == 0;
-                of[near[k]] = (owner){d + 1e-300, i};
-            }
-        }
-    }
-    TRY(TAKE(f->p, f->count));
-    TRY(TAKE(f->u, f->count));
-    TRY(TAKE(f->res, f->count));
-    TRY(TAKE(f->weight, f->count));
-    TRY(TAKE(f->work, f->count));
-    size_t at = 0;
+    const size_t count = find_owners(grid, trace, near_trace * f->radius, near, of);
+    const size_t every = 1 + count / MOST_POINTS, room = count / every + 1;
+    TRY(TAKE(f->p, room));
+    TRY(TAKE(f->u, room));
+    TRY(TAKE(f->res, room));
+    TRY(TAKE(f->weight, room));
+    TRY(TAKE(f->work, room));
     for (size_t k = 0; k < grid->count; k++) {
-        if (of[k].distance > 0) {
+        if (of[k].distance > 0 && seen++ % every == 0) {
             const tube_station *s = &trace->at[of[k].station];
             const vec3 q = {{grid->p[k][0], grid->p[k][1], grid->p[k][2]}};
-            memcpy(f->p[at], q.a, sizeof q.a);
-            f->u[at++] = u[of[k].station] + vec3_dot(vec3_sub(q, s->c), s->t);
+            memcpy(f->p[f->count], q.a, sizeof q.a);
+            f->u[f->count++] = u[of[k].station] + vec3_dot(vec3_sub(q, s->c), s->t);
         }
     }
 
@@ -183,7 +197,7 @@ static void move(tube_fit *f, const double *step, double *moved)
     tube_curve_set(&f->curve);
 }
 
-status tube_fit_solve(tube_fit *f, double reach, bool covariance)
+status tube_fit_solve(tube_fit *f, double reach, bool choose, bool covariance)
 {
     status st = OK;
     tube_normal n = {0};
@@ -195,10 +209,10 @@ status tube_fit_solve(tube_fit *f, double reach, bool covariance)
     TRY(tube_normal_make(&f->curve, &n));
     for (int i = 0; i < MOST_ROUNDS && (i < LEAST_ROUNDS || moved > settled * f->noise); i++) {
         tube_fit_residuals(f, reach);
-        reach = fmax(fmin(fade * f->noise, reach), 1e-4 * r);
+        reach = fmax(fmin(fade * f->noise, reach), (covariance ? least_reach : first_reach) * r);
         weigh(f, reach);
         tube_normal_fill(f, &n);
-        if (!isfinite(f->given_smoothing) && i >= 2 && i < 2 + SMOOTHING_ROUNDS) {
+        if (choose && !isfinite(f->given_smoothing) && i >= 2 && i < 2 + SMOOTHING_ROUNDS) {
             TRY(tube_normal_choose(f, &n));
         }
         TRY(tube_normal_step(f, &n, false));

@@ -113,31 +113,6 @@ void tube_grid_free(tube_grid *g)
     *g = (tube_grid){0};
 }
 
-status tube_grid_thin(const tube_grid *g, int most, point_cloud *out)
-{
-    status st = OK;
-    point_cloud thin = {0};
-    size_t room = 0;
-    for (size_t c = 0; c < g->ncell; c++) {
-        const size_t n = g->first[c + 1] - g->first[c];
-        room += n < (size_t)most ? n : (size_t)most;
-    }
-    TRY(TAKE(thin.p, room));
-    for (size_t c = 0; c < g->ncell; c++) {
-        const size_t n = g->first[c + 1] - g->first[c];
-        const size_t keep = n < (size_t)most ? n : (size_t)most;
-        for (size_t k = 0; k < keep; k++) {
-            memcpy(thin.p[thin.count++], g->p[g->first[c] + k * n / keep], sizeof thin.p[0]);
-        }
-    }
-    *out = thin;
-    thin = (point_cloud){0};
-
-done:
-    point_cloud_free(&thin);
-    return st;
-}
-
 // the first cell whose key is not below
 static size_t lower_cell(const tube_grid *g, uint64_t key)
 {

@@ -21,9 +21,6 @@ typedef struct tube_grid {
 status tube_grid_make(const point_cloud *cloud, vec3 origin, double cell, tube_grid *out);
 void tube_grid_free(tube_grid *g);
 
-// At most `most` points of every cell, evenly over the order in which they came.
-status tube_grid_thin(const tube_grid *g, int most, point_cloud *out);
-
 // The points within `reach` of c: their numbers; at most `room` of them are written.
 size_t tube_grid_near(const tube_grid *g, vec3 c, double reach, uint32_t *out, size_t room);
 
@@ -37,7 +34,8 @@ typedef struct tube_station {
     int used;     // points within three times that
     double angle; // covered near the middle [rad]
     double share; // of the surface within the window that is covered
-    bool good;    // a piece of a tube
+    bool weak;    // may be a piece of a tube: a strip of it
+    bool good;    // is one
 } tube_station;
 
 typedef struct tube_window {
@@ -125,8 +123,9 @@ status tube_fit_make(const tube_grid *grid, const tube_trace *trace, const tube_
 void tube_fit_free(tube_fit *f);
 // feet, residuals and noise anew
 void tube_fit_residuals(tube_fit *f, double reach);
-// ends when the line moves by less than a thousandth of the noise
-status tube_fit_solve(tube_fit *f, double reach, bool covariance);
+// ends when the line moves by less than a thousandth of the noise; `choose`: the smoothing, where
+// none is given
+status tube_fit_solve(tube_fit *f, double reach, bool choose, bool covariance);
 // of the place at u across the line: root mean square of both directions
 double tube_fit_sigma(const tube_fit *f, double u);
 // mean correlation of the errors across the line at u and v

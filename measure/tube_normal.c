@@ -12,6 +12,9 @@ static const double least_smoothing = 0.25, smoothing_step = 1.25; // radii; bet
 // generalized cross-validation alone now and then follows the noise; freedom counted at 1.4 of its
 // value mends that (Kim and Gu, 2004)
 static const double freedom_price = 1.4;
+// what is best for the line's error in all leaves at its ends a bias that is no smaller than the
+// scatter: a little less smoothing makes the deviations that are told true there too
+static const double bias_margin = 1.25;
 static const double held = 1e9;         // a radius that is given, against what the points say of it
 static const double along_weight = 100; // of steps along the line, against those across it
 
@@ -190,7 +193,7 @@ status tube_normal_choose(tube_fit *f, tube_normal *n)
             chosen = f->smoothing;
         }
     }
-    f->smoothing = chosen;
+    f->smoothing = fmax(chosen / bias_margin, least_smoothing * f->radius);
 
 done:
     return st;

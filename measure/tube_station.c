@@ -10,6 +10,8 @@ enum { UNKNOWNS = 7, ROUNDS = 25, SECTORS = 24, SLICES = 5, LEAST_POINTS = 15 };
 
 static const double most_noise = 0.05;         // radii: points that spread further are no surface
 static const double most_inside = 0.2;         // density inside the wall against that on it
+static const double least_share = 0.15;        // of the window, seen
+static const double weak_angle = 0.7;          // rad: enough where the tube is known to go on
 static const double least_angle = 1.5;         // rad, covered: a plane along the tube covers less
 static const double fade = 6;                  // deviations at which a point no longer counts
 static const double normal_deviation = 1.4826; // of a median without sign
@@ -171,8 +173,9 @@ static void judge(const tube_window *w, const piece *p, tube_station *s)
     }
     s->share = nall / (double)(SECTORS * SLICES);
     s->angle = nmiddle * 2 * M_PI / SECTORS;
-    s->good = s->used >= LEAST_POINTS && s->angle > least_angle && s->share > 0.15 &&
+    s->weak = s->used >= LEAST_POINTS && s->angle > weak_angle &&
               s->noise < fmax(most_noise * r, w->most_noise) && inside < most_inside * s->used;
+    s->good = s->weak && s->angle > least_angle && s->share > least_share;
 }
 
 static void take_over(const piece *p, tube_station *s)
@@ -195,6 +198,7 @@ status tube_station_fit(const tube_window *w, double reach, bool free_radius, tu
     double start[UNKNOWNS], moved = 1;
     memcpy(start, p.x, sizeof start);
     s->good = false;
+    s->weak = false;
     s->used = 0;
     for (int i = 0; i < ROUNDS && (i < 4 || moved > 1e-4); i++) {
         TRY(step(w, reach, free_radius, start, &p, &moved));

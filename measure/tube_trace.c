@@ -13,7 +13,8 @@ static const double stride = 1;                             // radii from one cy
 static const double trace_reach = 0.35, bridge_reach = 0.6; // radii: from the predicted surface
 static const double most_shift = 0.7; // radii that a cylinder may lie off its prediction
 static const double most_turn = 0.6;  // rad
-static const double near_base = 4;    // radii: cylinders that may be the clamp's
+static const double weak_shift = 0.2, weak_turn = 0.25; // of a strip: it must go where it should
+static const double near_base = 4;                      // radii: cylinders that may be the clamp's
 
 typedef struct walk {
     const tube_grid *grid;
@@ -41,8 +42,9 @@ static status fit_at(walk *w, const tube_station *start, double reach, tube_stat
     w->ncylinder++;
     const status st = tube_station_fit(w->window, reach * start->radius, false, out);
     const double turn = acos(fmin(1, vec3_dot(out->t, start->t)));
-    out->good = out->good && vec3_norm(vec3_sub(out->c, start->c)) < most_shift * start->radius &&
-                turn < most_turn;
+    const double shift = vec3_norm(vec3_sub(out->c, start->c)) / start->radius;
+    out->good = (out->good && shift < most_shift && turn < most_turn) ||
+                (out->weak && shift < weak_shift && turn < weak_turn);
     return st;
 }
 

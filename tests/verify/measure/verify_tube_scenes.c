@@ -150,7 +150,7 @@ static void less_is_known(const made_line *line)
         const char *names[] = {
             "base point alone", "base point alone, radius free", "nothing but radius",
             "nothing known",    "nothing but radius, half seen", "nothing known, half seen"};
-        scene s = scene_of(names[k], 0.05, 0.15); // the base end is found as the tip is
+        scene s = scene_of(names[k], 0.1, 0.1); // the base end is found as the tip is
         s.options.base_is_plane = false;
         s.options.direction = unknown;
         s.options.base = k < 2 ? s.options.base : unknown;

@@ -5,10 +5,10 @@
 
 enum { REPEATS = 60, PLACES = 12 };
 
-// Of the mean of 60 squares of two components in units of the deviation: 1 +- 0.13 for a single
-// place. Bands: three times that and what a smoothed line is biased by; a wrong factor of 1.5 in
-// sigma fails.
-static const double least = 0.6, most = 1.7;
+// A mean of 60 such squares scatters by 0.13 round 1. What is told holds the smoothing's bias too,
+// as it is on average along the line (Wahba), so that most places lie somewhat below 1. Bands: four
+// times that scatter for one place, and 20 % for their mean: a sigma that is wrong by 1.3 fails.
+static const double least = 0.45, most = 1.55, least_mean = 0.75, most_mean = 1.2;
 
 typedef struct scatter {
     double square[PLACES]; // of errors across the line in units of sigma
@@ -41,9 +41,10 @@ static void add(const tube_trial *t, const made_line *line, scatter *sum)
         sum->square[k] += vec3_dot(e, e) / (2 * sigma * sigma) / REPEATS;
         sum->error[k] += vec3_dot(e, e) / 2 / REPEATS;
         sum->sigma[k] += sigma / REPEATS;
-        if (s + d < line->length) {
+        if (k > 0 && k < PLACES - 1) { // away from the ends
             const double other = sigma_at(&t->line, s + d);
-            sum->neighbours += vec3_dot(e, across(t, line, s + d)) / (2 * sigma * other) / REPEATS;
+            sum->neighbours +=
+                vec3_dot(e, across(t, line, s + d)) / (2 * sigma * other) / REPEATS / (PLACES - 2);
         }
     }
     const tube_report *r = &t->report;
@@ -75,9 +76,10 @@ static void repeats_scatter_as_stated(const char *name, const made_line *line, m
         CHECK(sum.square[k] > least && sum.square[k] < most);
         mean += sum.square[k] / PLACES;
     }
-    printf("all %.3f, radius %.3f, length %.3f (bias %.2f), correlation length %.2f mm\n", mean,
-           sum.radius, sum.length, sum.bias, sum.correlation_length * 1e3);
-    CHECK(mean > 0.8 && mean < 1.25);
+    printf("all %.3f, radius %.3f, length %.3f (bias %.2f), correlation %.2f after %.2f mm\n", mean,
+           sum.radius, sum.length, sum.bias, sum.neighbours, sum.correlation_length * 1e3);
+    CHECK(sum.neighbours > 0.1 && sum.neighbours < 0.6); // stated: 1/e = 0.37
+    CHECK(mean > least_mean && mean < most_mean);
     CHECK(sum.radius > 0.5 && sum.radius < 1.7);
     CHECK(sum.length > 0.4 && sum.length < 2.5);
     CHECK(fabs(sum.bias) < 0.8);
@@ -88,7 +90,7 @@ int main(void)
     static made_line line;
     made_line_make(0.12, made_prototype, NULL, &line);
     made_scan scan = {
-        .radius = 4e-3, .count = 10000, .noise = 0.05e-3, .missing = 0.3, .stray = 0.05};
+        .radius = 4e-3, .count = 5000, .noise = 0.05e-3, .missing = 0.3, .stray = 0.05};
     repeats_scatter_as_stated("all around, 30 % missing", &line, scan);
     scan.missing = 0;
     scan.visible = M_PI;
