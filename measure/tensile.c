@@ -1,0 +1,101 @@
+// measure/tensile.c
+#include "measure/tensile_inside.h"
+
+#include "base/memory.h"
+
+#include <math.h>
+
+enum { MOST_POINTS = 400, ENOUGH_POINTS = 150, MOST_ROUNDS = 8 };
+
+tensile_rule tensile_rule_default(void)
+{
+    return (tensile_rule){.share = 0.95, .departure = 0.05};
+}
+
+// The stretch, on at most MOST_POINTS means; where few of them lie in it, again on its part of the
+// curve.
+static status choose(const gsl_line_door *door, const tensile_curve *c, tensile_choice *out)
+{
+    status st = OK;
+    tensile_curve thin = {0};
+    double end = c->strain[0];
+    for (int i = 0; i < c->n; i++) {
+        end = fmax(end, c->strain[i]);
+    }
+    for (int round = 0; round < MOST_ROUNDS; round++) {
+        tensile_curve_free(&thin);
+        TRY(tensile_thin(c, end, MOST_POINTS, &thin));
+        TRY(tensile_choose(door, &thin, out));
+        const double next = thin.strain[0] + 2 * (out->stretch.to - thin.strain[0]);
+        if (thin.n > c->n / 2 || out->stretch.count >= ENOUGH_POINTS || next >= end) {
+            break;
+        }
+        end = next;
+    }
+
+done:
+    tensile_curve_free(&thin);
+    return st;
+}
+
+// The means of the departure and of the line over neighbours, from the middle of the stretch on:
+// where the first passes that share of the second, the linear range ends             (7.4)
+static void linear_range(const tensile_curve *c, const tensile_choice *w, double departure,
+                         tensile_answer *a)
+{
+    const double middle = 0.5 * (w->stretch.from + w->stretch.to);
+    const double reach = 0.02 * (c->strain[c->n - 1] - c->strain[0]);
+    double off = 0, line = 0, last = 0;
+    int from = 0;
+    a->linear_to_end = true;
+    for (int i = 0; i < c->n; i++) {
+        const double straight = w->E * (c->strain[i] - w->zero);
+        off += c->stress[i] - straight;
+        line += straight;
+        last = fmax(last, c->strain[i] - w->zero);
+        while (i - from >= 4 && (c->strain[i] - c->strain[from] > reach || i - from > 400)) {
+            const double before = w->E * (c->strain[from] - w->zero);
+            off -= c->stress[from++] - before;
+            line -= before;
+        }
+        const double at = 0.5 * (c->strain[i] + c->strain[from]);
+        if (at > middle && fabs(off) > departure * fabs(line)) {
+            a->linear_strain = at - w->zero;
+            a->linear_to_end = false;
+            return;
+        }
+    }
+    a->linear_strain = last;
+}
+
+status tensile_measure(const tensile_curve *c, const tensile_rule *rule, tensile_answer *out)
+{
+    status st = OK;
+    const gsl_line_door *line = NULL;
+    const gsl_random_door *random = NULL;
+    tensile_answer a = {0};
+    tensile_curve loading = {0};
+    tensile_choice w = {0};
+    TRY(gsl_line_door_open(&line));
+    TRY(gsl_random_door_open(&random));
+    TRY(tensile_loading(c, &loading, &a));
+    TRY(choose(line, &loading, &w));
+    const double half = w.se * random->student(rule->share, w.fit.freedom);
+    a.E = w.E;
+    a.standard_error = w.se;
+    a.interval[0] = w.E - half;
+    a.interval[1] = w.E + half;
+    a.freedom = w.fit.freedom;
+    a.strain_offset = w.zero;
+    a.window[0] = w.stretch.from;
+    a.window[1] = w.stretch.to;
+    a.noise = w.fit.noise;
+    a.correlation = w.fit.tau;
+    a.nwindow = w.stretch.count;
+    linear_range(&loading, &w, rule->departure, &a);
+    *out = a;
+
+done:
+    tensile_curve_free(&loading);
+    return st;
+}
