@@ -166,11 +166,17 @@ static status take_word(command *cmd, const char *word)
     if (!cmd->sub->argument) {
         return status_fail(ERR_INPUT, "%s takes no argument, not '%s'", cmd->sub->name, word);
     }
-    if (cmd->argument) {
+    const bool several = strstr(cmd->sub->argument, "...") != NULL;
+    if (cmd->argument && !several) {
         return status_fail(ERR_INPUT, "%s takes one %s, not '%s' too", cmd->sub->name,
                            cmd->sub->argument, word);
     }
-    cmd->argument = word;
+    if (cmd->nargument == COMMAND_MAX_ARGUMENTS) {
+        return status_fail(ERR_INPUT, "%s takes at most %d files", cmd->sub->name,
+                           COMMAND_MAX_ARGUMENTS);
+    }
+    cmd->arguments[cmd->nargument++] = word;
+    cmd->argument = cmd->arguments[0];
     return OK;
 }
 
@@ -200,7 +206,8 @@ static status check_command(const command *cmd)
         }
     }
     const bool settings = sub->argument && (strcmp(sub->argument, "CASE") == 0 ||
-                                            strcmp(sub->argument, "CLOUD") == 0);
+                                            strcmp(sub->argument, "CLOUD") == 0 ||
+                                            strcmp(sub->argument, "DATA...") == 0);
     if (cmd->noverride > 0 && !settings) {
         return status_fail(ERR_INPUT, "%s reads no case, so --set has nothing to override",
                            sub->name);

@@ -7,14 +7,14 @@
 #include <stdbool.h>
 #include <stdio.h>
 
-enum { COMMAND_MAX_OVERRIDES = 64, COMMAND_SUMMARY_LINES = 24 };
+enum { COMMAND_MAX_OVERRIDES = 64, COMMAND_SUMMARY_LINES = 24, COMMAND_MAX_ARGUMENTS = 100 };
 
 typedef struct command command;
 
 // What a subcommand is, for dispatch and for its help.
 typedef struct subcommand {
     const char *name;
-    const char *argument; // "CASE", "RESULT", "[NAME]"; NULL: takes none
+    const char *argument; // "CASE", "RESULT", "[NAME]", "DATA..." for several; NULL: takes none
     status (*run)(command *cmd);
     const char *about;   // one line
     const char *details; // more lines, ends with a newline
@@ -23,7 +23,9 @@ typedef struct subcommand {
 
 struct command {
     const subcommand *sub; // NULL: only --help or --version was asked for
-    const char *argument;  // NULL where none was given
+    const char *argument;  // the first; NULL where none was given
+    int nargument;
+    const char *arguments[COMMAND_MAX_ARGUMENTS];
     bool json, force, quiet, markdown, help, version, allow_scripts;
     const char *out; // --out DIR; NULL: nothing is written
     int noverride;
@@ -69,6 +71,7 @@ status cmd_sensitivity(command *cmd);
 status cmd_fit(command *cmd);
 status cmd_report(command *cmd);
 status cmd_check(command *cmd);
+status cmd_material(command *cmd);
 status cmd_scan(command *cmd);
 status cmd_schema(command *cmd);
 status cmd_example(command *cmd);

@@ -46,6 +46,14 @@ static const subcommand list[] = {
      "the directory stands beside RESULT: results/fig4 and results/fig4/result.hdf give\n"
      "results/fig4-report, a copy mine.hdf gives mine-report.\n",
      "stiffaxis report results/fig4/result.hdf --out results/fig4-again"},
+    {"material", "DATA...", cmd_material, "tensile tests to Young's modulus with its interval",
+     "DATA: tables (CSV, text) with columns such as 'strain [%]' and 'stress [MPa]', or\n"
+     "'extension [mm]' and 'force [N]' with --set gauge_length_mm=25 --set area_mm2=8 (or\n"
+     "width_mm and thickness_mm, diameter_mm, or lines that say so above the names). Several\n"
+     "files, several pairs of columns or a column 'specimen' are replicates, which are pooled.\n"
+     "More to --set: name, source, nu, departure=0.05, outliers=leave_out. With --out DIR:\n"
+     "material.yaml, ready for a case's `materials`, and the curves as a figure.\n",
+     "stiffaxis material bar1.csv bar2.csv --set name=soft --out results/soft"},
     {"scan", "CLOUD", cmd_scan, "a scanned tube's points to its centreline",
      "CLOUD: PLY, PCD, XYZ or CSV; or a YAML file, `format: 1`, `scan: {cloud: FILE, ...}`. "
      "Lengths\n"

@@ -13,7 +13,7 @@ tensile_rule tensile_rule_default(void)
 }
 
 // The stretch, on at most MOST_POINTS means; where few of them lie in it, again on its part of the
-// curve.
+// curve, as long as that is closer and no less steep.
 static status choose(const gsl_line_door *door, const tensile_curve *c, tensile_choice *out)
 {
     status st = OK;
@@ -23,11 +23,20 @@ static status choose(const gsl_line_door *door, const tensile_curve *c, tensile_
         end = fmax(end, c->strain[i]);
     }
     for (int round = 0; round < MOST_ROUNDS; round++) {
+        tensile_choice w = {0};
         tensile_curve_free(&thin);
         TRY(tensile_thin(c, end, MOST_POINTS, &thin));
-        TRY(tensile_choose(door, &thin, out));
-        const double next = thin.strain[0] + 2 * (out->stretch.to - thin.strain[0]);
-        if (thin.n > c->n / 2 || out->stretch.count >= ENOUGH_POINTS || next >= end) {
+        st = tensile_choose(door, &thin, &w);
+        if (round > 0 &&
+            (st == ERR_FILE || w.se > out->se || w.E + 3 * w.se < out->E - 3 * out->se)) {
+            status_clear();
+            st = OK;
+            break;
+        }
+        TRY(st);
+        *out = w;
+        const double next = thin.strain[0] + 2 * (w.stretch.to - thin.strain[0]);
+        if (thin.n > c->n / 2 || w.stretch.count >= ENOUGH_POINTS || next >= end) {
             break;
         }
         end = next;

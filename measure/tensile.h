@@ -52,7 +52,7 @@ typedef struct tensile_pool {
     int n; // curves in the number
     double E, standard_error, interval[2], freedom;
     double between;       // standard deviation from sample to sample [Pa]; NAN for one
-    double linear_strain; // the least
+    double linear_strain; // the median, the lower one of two
 } tensile_pool;
 
 // Curves of one material: random effects after Paule and Mandel, the interval after Hartung and

@@ -49,19 +49,35 @@ static double paule_mandel(int n, const tensile_answer *a, const bool *used, int
     return 0.5 * (low + high);
 }
 
+// the median of the linear ranges: each has the error of its line
+static double middle_range(int n, const tensile_answer *a, const bool *used, int k)
+{
+    double middle = 0;
+    for (int i = 0; i < n; i++) {
+        int less = 0, same = 0; // places that i takes in the order
+        for (int j = 0; j < n; j++) {
+            less += used[j] && a[j].linear_strain < a[i].linear_strain;
+            same += used[j] && a[j].linear_strain == a[i].linear_strain;
+        }
+        if (used[i] && less <= (k - 1) / 2 && (k - 1) / 2 < less + same) {
+            middle = a[i].linear_strain;
+        }
+    }
+    return middle;
+}
+
 status tensile_pool_of(int n, const tensile_answer *a, const bool *used, const tensile_rule *rule,
                        tensile_pool *out)
 {
     status st = OK;
     const gsl_random_door *random = NULL;
-    tensile_pool p = {.linear_strain = INFINITY, .between = NAN};
+    tensile_pool p = {.between = NAN};
     int only = -1;
     TRY(gsl_random_door_open(&random));
     for (int i = 0; i < n; i++) {
         if (used[i]) {
             p.n++;
             only = i;
-            p.linear_strain = fmin(p.linear_strain, a[i].linear_strain);
         }
     }
     if (p.n == 0) {
@@ -80,6 +96,7 @@ status tensile_pool_of(int n, const tensile_answer *a, const bool *used, const t
         // never less than the curves' own errors
         p.standard_error = sqrt(fmax(s.excess / p.freedom, 1) / s.weight);
     }
+    p.linear_strain = middle_range(n, a, used, p.n);
     const double half = p.standard_error * random->student(rule->share, p.freedom);
     p.interval[0] = p.E - half;
     p.interval[1] = p.E + half;

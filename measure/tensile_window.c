@@ -10,7 +10,7 @@
 // Limits of the rule. A bend passes for none below so many of its standard errors; what could just
 // not be seen is kept away from by shortening the stretch, and by leaving more than the toe.
 static const double straight_limit = 2.5, surely_straight = 1;
-static const double shorten = 0.7, longer_toe = 1.5, least_start = 0.06;
+static const double shorten = 0.75, longer_toe = 1.5, least_start = 0.15;
 static const double furthest = 1.5, sure = 3, well_known = 0.05;
 static const double toe_step = 1.6, toe_least = 0.002, toe_most = 0.6, end_step = 0.87;
 
@@ -109,28 +109,40 @@ done:
     return st;
 }
 
-// The slope at zero stress: y' = p1 + 2 p2 t0 at t0 = -p0/p1, not further out than `furthest` (7.2)
+// The slope at zero stress, y' = p1 + 2 p2 t0 at t0 = -p0/p1, not further out than `furthest` (7.2)
+static void slope_at_zero(const tensile_fit *f, double t0, double *E, double *variance)
+{
+    const double g[CUBIC] = {0, 1, 2 * t0, 0};
+    *E = *variance = 0;
+    for (int i = 0; i < CUBIC; i++) {
+        *E += g[i] * f->p[i];
+        for (int k = 0; k < CUBIC; k++) {
+            *variance += g[i] * f->V[i][k] * g[k];
+        }
+    }
+}
+
 static status modulus_of(const gsl_line_door *door, const tensile_curve *c, double tau,
                          tensile_choice *out)
 {
     status st = OK;
     tensile_fit *f = &out->fit;
     const tensile_stretch s = out->stretch;
+    double slope = 0, variance = 0;
     TRY(tensile_polynomial(door, c, s, 2, 0, f));
     if (f->tau < tau) {
         TRY(tensile_polynomial(door, c, s, 2, tau, f));
     }
-    const double slope = f->p[1];
-    if (!(slope > 0)) {
-        out->se = INFINITY;
+    out->se = INFINITY;
+    if (f->p[1] <= 0) {
         return OK;
     }
-    const double t0 = fmin(fmax(-f->p[0] / slope, -furthest), furthest);
+    const double t0 = fmin(fmax(-f->p[0] / f->p[1], -furthest), furthest);
     const double unit = f->scale / (s.to - s.from);
-    const double variance = f->V[1][1] + 4 * t0 * f->V[1][2] + 4 * t0 * t0 * f->V[2][2];
-    out->E = unit * (slope + 2 * t0 * f->p[2]);
+    slope_at_zero(f, t0, &slope, &variance);
+    out->E = unit * slope;
     out->se = unit * sqrt(fmax(variance, 0));
-    const double stress = f->p[0] + slope * t0 + f->p[2] * t0 * t0;
+    const double stress = f->p[0] + f->p[1] * t0 + f->p[2] * t0 * t0;
     out->zero = s.from + t0 * (s.to - s.from) - stress * f->scale / out->E;
 
 done:
