@@ -47,8 +47,9 @@ done:
     return st;
 }
 
-// The means of the departure and of the line over neighbours, from the middle of the stretch on:
-// where the first passes that share of the second, the linear range ends             (7.4)
+// The straight line through the stretch is known more closely than its slope at zero. The means of
+// the departure from it and of itself over neighbours, from the middle of the stretch on: where the
+// first passes that share of the second, the linear range ends             (7.4)
 static void linear_range(const tensile_curve *c, const tensile_choice *w, double departure,
                          tensile_answer *a)
 {
@@ -58,12 +59,12 @@ static void linear_range(const tensile_curve *c, const tensile_choice *w, double
     int from = 0;
     a->linear_to_end = true;
     for (int i = 0; i < c->n; i++) {
-        const double straight = w->E * (c->strain[i] - w->zero);
+        const double straight = w->slope * (c->strain[i] - w->at);
         off += c->stress[i] - straight;
         line += straight;
         last = fmax(last, c->strain[i] - w->zero);
         while (i - from >= 4 && (c->strain[i] - c->strain[from] > reach || i - from > 400)) {
-            const double before = w->E * (c->strain[from] - w->zero);
+            const double before = w->slope * (c->strain[from] - w->at);
             off -= c->stress[from++] - before;
             line -= before;
         }

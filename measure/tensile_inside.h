@@ -45,6 +45,7 @@ double tensile_correlation(int n, const double *r, int fitted);
 typedef struct tensile_choice {
     tensile_stretch stretch;
     double E, se, zero; // zero: strain at which the line has no stress
+    double slope, at;   // the straight line through it: slope * (strain - at)
     tensile_fit fit;
 } tensile_choice;
 

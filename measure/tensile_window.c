@@ -10,7 +10,7 @@
 // Limits of the rule. A bend passes for none below so many of its standard errors; what could just
 // not be seen is kept away from by shortening the stretch, and by leaving more than the toe.
 static const double straight_limit = 2.5, surely_straight = 1;
-static const double shorten = 0.75, longer_toe = 1.5, least_start = 0.15;
+static const double shorten = 0.7, longer_toe = 1.5, least_start = 0.15;
 static const double furthest = 1.5, sure = 3, well_known = 0.05;
 static const double toe_step = 1.6, toe_least = 0.002, toe_most = 0.6, end_step = 0.87;
 
@@ -209,6 +209,7 @@ status tensile_choose(const gsl_line_door *door, const tensile_curve *c, tensile
     enum { MOST = 32 };
     status st = OK;
     tensile_choice all[MOST];
+    tensile_fit line;
     int n = 0, best = -1;
     double tau = 1;
     const double begin = c->strain[0], size = c->strain[c->n - 1] - begin;
@@ -226,6 +227,9 @@ status tensile_choose(const gsl_line_door *door, const tensile_curve *c, tensile
                         FEWEST));
     }
     *out = all[best];
+    TRY(tensile_polynomial(door, c, out->stretch, 1, tau, &line));
+    out->slope = line.p[1] * line.scale / (out->stretch.to - out->stretch.from);
+    out->at = out->stretch.from - line.p[0] * line.scale / out->slope;
 
 done:
     return st;
