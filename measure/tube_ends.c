@@ -80,7 +80,7 @@ static double sharp_step(const edge *e)
 }
 
 // log likelihood of a step at s, smeared by the noise, b behind it; the density before it is what
-// holds the zone's points                                                                   (7.10)
+// holds the zone's points                                                                   (9.10)
 static double smeared(const edge *zone, double b, double s)
 {
     const double before = ((double)zone->count - b * (zone->length - s)) / s;

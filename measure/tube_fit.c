@@ -235,7 +235,7 @@ done:
 }
 
 // 3x3 block of the covariance of the places at u and v, across the line's directions there: its
-// trace                                                                                   (7.9)
+// trace                                                                                   (9.9)
 static double across(const tube_fit *f, double u, double v)
 {
     const tube_curve *c = &f->curve;

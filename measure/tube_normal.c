@@ -89,7 +89,7 @@ static void fill_along(const tube_curve *c, tube_normal *n)
     }
 }
 
-// d res = - n . B_j dc_j - d radius: the foot's own motion is across n   (7.5)
+// d res = - n . B_j dc_j - d radius: the foot's own motion is across n   (9.5)
 void tube_normal_fill(const tube_fit *f, tube_normal *n)
 {
     const tube_curve *c = &f->curve;
@@ -123,7 +123,7 @@ void tube_normal_fill(const tube_fit *f, tube_normal *n)
     fill_along(c, n);
 }
 
-// (A + lambda P + along) step = -(g + lambda P c), lambda = (weight per length) smoothing^6   (7.6)
+// (A + lambda P + along) step = -(g + lambda P c), lambda = (weight per length) smoothing^6   (9.6)
 status tube_normal_step(const tube_fit *f, tube_normal *n, bool invert)
 {
     const tube_curve *c = &f->curve;
@@ -187,7 +187,7 @@ status tube_normal_choose(tube_fit *f, tube_normal *n)
         TRY(tube_normal_step(f, n, true));
         const double left = n->sum - freedom_price * freedom_of(n);
         const double score =
-            left > 0 ? n->sum * predicted_square(n) / (left * left) : (double)INFINITY; // (7.7)
+            left > 0 ? n->sum * predicted_square(n) / (left * left) : (double)INFINITY; // (9.7)
         if (score < best) {
             best = score;
             chosen = f->smoothing;
@@ -199,7 +199,7 @@ done:
     return st;
 }
 
-// variance of one point in units of the weights: Huber's for an M-estimate   (7.8)
+// variance of one point in units of the weights: Huber's for an M-estimate   (9.8)
 static double point_variance(const tube_fit *f, double reach)
 {
     double psi = 0, slope = 0, weight = 0, n = 0;

@@ -37,7 +37,7 @@ void tube_window_free(tube_window *w)
     *w = (tube_window){0};
 }
 
-// the piece of line c + a + b w + k w^2 / 2 over w along t, in the frame (e1, e2, t)   (7.2)
+// the piece of line c + a + b w + k w^2 / 2 over w along t, in the frame (e1, e2, t)   (9.2)
 typedef struct piece {
     vec3 c, e[2], t;
     double x[UNKNOWNS]; // a (2), b (2), k (2), radius
