@@ -69,8 +69,8 @@ static void print_move(const run_result *r, const mover *p, const move *m)
     print_number(9, "%.3f", 1e3 * move_size(m, MOVER_HIGH));
     print_number(7, "%.2f", 100 * move_largest(m) / r->rod_length);
     printf(" |");
-    print_number(8, "%+.3f", degrees * m->bend[MOVER_LOW]);
-    print_number(8, "%+.3f", degrees * m->bend[MOVER_HIGH]);
+    print_number(8, "%+.3f", print_shown(degrees * m->bend[MOVER_LOW], 1e-3));
+    print_number(8, "%+.3f", print_shown(degrees * m->bend[MOVER_HIGH], 1e-3));
     printf(" |");
     print_number(11, "%.5g", 1e3 * hypot(hypot(m->rate[0], m->rate[1]), m->rate[2]));
     print_number(9, "%.1f%%", 100 * nonlinearity(r, p, m));
@@ -119,11 +119,11 @@ static void print_spread(const sensitivity_result *s, int solution, int quantity
     const double *share = sensitivity_share(s, solution, quantity);
     const double unit = quantity == SPREAD_BEND ? degrees : 1e3;
     printf("%-12s", names[quantity]);
-    print_number(9, "%.3f", unit * a->mean);
+    print_number(9, "%.3f", print_shown(unit * a->mean, 1e-3));
     print_number(9, "%.3f", unit * a->deviation);
-    print_number(9, "%.3f", unit * a->low);
-    print_number(9, "%.3f", unit * a->median);
-    print_number(9, "%.3f", unit * a->high);
+    print_number(9, "%.3f", print_shown(unit * a->low, 1e-3));
+    print_number(9, "%.3f", print_shown(unit * a->median, 1e-3));
+    print_number(9, "%.3f", print_shown(unit * a->high, 1e-3));
     printf(" |");
     for (int k = 0; k < s->nmover; k++) {
         if (s->mover[k].drawn) {
