@@ -60,7 +60,7 @@ void print_measured(const run_result *r)
     }
     const int n = measured_rows(r, rows), ncolumn = measured_has_paper(r) ? COLUMNS : COLUMNS - 2;
     measured_data_words(r, words, sizeof words);
-    printf("%s: the rod's model against them\n", measured_word(r));
+    printf("%s: the rod's model against them: %s\n", measured_word(r), r->title);
     for (int i = -2; i < n; i++) {
         const int line = i + 2;
         const measured_cells c =

@@ -31,6 +31,11 @@ static void end_cell(csv *c)
     }
 }
 
+void csv_remark(csv *c, const char *words)
+{
+    (void)fprintf(c->stream, "# %s\r\n", words);
+}
+
 void csv_real(csv *c, double value)
 {
     // what is not a number is an empty cell

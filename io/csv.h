@@ -9,6 +9,8 @@
 typedef struct csv csv;
 
 status csv_open(const char *path, int ncolumn, const char *const *names, csv **out);
+// A line "# words" before the first row, which readers of tables pass over.
+void csv_remark(csv *c, const char *words);
 void csv_real(csv *c, double value);
 void csv_text(
     csv *c,

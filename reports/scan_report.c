@@ -236,6 +236,9 @@ static status write_csv(const scan_result *r, const char *dir)
     csv_header h = {0};
     csv_add_all(&h, "s_mm x_mm y_mm z_mm sigma_mm fit_sigma_mm");
     const status st = csv_table(dir, "centreline.csv", &h, &c);
+    if (st == OK && r->synthetic) {
+        csv_remark(c, "SYNTHETIC: made, not measured"); // what reads it as a shape says so too
+    }
     for (int i = 0; st == OK && i < r->line.count; i++) {
         csv_real(c, 1e3 * r->line.s[i]);
         for (int d = 0; d < 3; d++) {

@@ -3,14 +3,19 @@
 set -u
 . "$STIFFAXIS_SOURCE/tests/cli/helpers"
 
+# what other programs compare is not at issue here
+alone() {
+    env PATH="$work/nothing" "$program" "$@"
+}
+
 cases=$source/cases/measured
-expect 0 "$program" compare "$cases/constant_nc_measured.yaml"
+expect 0 alone compare "$cases/constant_nc_measured.yaml"
 out 'synthetic shapes: the rod'
 out 'SYNTHETIC data, not from a bench'
 out 't1 at 0.98 N'
 out '1.25 (1.0)'
 out 'which are not published'
-expect 0 "$program" compare "$cases/helical_nc_measured.yaml" --json
+expect 0 alone compare "$cases/helical_nc_measured.yaml" --json
 valid_json "$work/out"
 cp "$work/out" "$work/helical.json"
 
@@ -32,29 +37,29 @@ printf 's_mm,x_mm,y_mm,z_mm,sigma_mm\n0,0,0,0,0.1\n60,8,0,59,0.1\n117.8,31,0,112
 
 # without the key nothing is computed
 sed '/^measured:/,$d' "$work/rod.yaml" >"$work/plain.yaml"
-expect 0 "$program" compare "$work/plain.yaml"
+expect 0 alone compare "$work/plain.yaml"
 ! grep -qi 'measured\|synthetic' "$work/out" || fail 'measured shapes that nobody asked for'
-expect 0 "$program" compare "$work/plain.yaml" --json
+expect 0 alone compare "$work/plain.yaml" --json
 ! grep -q '"measured"' "$work/out" || fail 'measured shapes in the JSON that nobody asked for'
 
 # measured is called measured, with its source
-expect 0 "$program" compare "$work/rod.yaml"
+expect 0 alone compare "$work/rod.yaml"
 out 'measured shapes: the rod'
 out 'Measured: our bench'
 ! grep -qi synthetic "$work/out" || fail 'measured data called synthetic'
 
 # a solution of the paper's without a shape: its errors, and nothing invented for ours
-expect 0 "$program" compare "$work/rod.yaml" --set measured.paper=table_2 --set 'rod.tensions_N=[[0.1, 0], [0.49, 0]]'
+expect 0 alone compare "$work/rod.yaml" --set measured.paper=table_2 --set 'rod.tensions_N=[[0.1, 0], [0.49, 0]]'
 out 'not published'
 out '1.25 (1.0)'
 
 # an error of the model is no failure, unless the case says so
-expect 0 "$program" compare "$work/rod.yaml" --set measured.tolerance=0.5
+expect 0 alone compare "$work/rod.yaml" --set measured.tolerance=0.5
 out 'measured: tip error over L, largest (first)'
-expect 1 "$program" compare "$work/rod.yaml" --set measured.tolerance=1e-6
+expect 1 alone compare "$work/rod.yaml" --set measured.tolerance=1e-6
 
 # everything is in the result, and comes back from it
-expect 0 "$program" run "$work/rod.yaml" --out "$work/result"
+expect 0 alone run "$work/rod.yaml" --out "$work/result"
 out 'measured 1 shape'
 for file in measured.csv measured_shapes.csv measured.svg measured.png measured_along.svg; do
     [ -s "$work/result/$file" ] || fail "no $file"
@@ -116,12 +121,12 @@ rm "$work/line.csv"
 
 # a file that says what it is is believed, whatever the case says
 printf '# SYNTHETIC: made\ns_mm,x_mm,y_mm,z_mm\n0,0,0,0\n60,8,0,59\n117.8,31,0,112.5\n' >"$work/line.csv"
-expect 0 "$program" compare "$work/rod.yaml"
+expect 0 alone compare "$work/rod.yaml"
 out 'SYNTHETIC data, not from a bench'
 
 # a part of the rod: no tip
 printf 's_mm,x_mm,y_mm,z_mm\n10,0,0,10\n30,1,0,30\n60,8,0,59\n' >"$work/line.csv"
-expect 0 "$program" compare "$work/rod.yaml"
+expect 0 alone compare "$work/rod.yaml"
 out 'not measured'
 
 if command -v python3 >/dev/null; then
