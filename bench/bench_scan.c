@@ -3,6 +3,7 @@
 // PLY and from text. The cloud is synthetic. bench_scan make FILE.ply|FILE.xyz [COUNT]: only the
 // file.
 #include "bench/bench.h"
+#include "measure/scan.h"
 #include "tests/verify/measure/made_cloud.h"
 
 #include "base/status.h"
@@ -17,12 +18,17 @@ enum { ASKED = 2720000, POINTS = 2000000 }; // a third of those asked for is mis
 
 static const double MOST_SECONDS = 20, MOST_BYTES = 2e9;
 
+static void make_line(made_line *line)
+{
+    static const double helix[3] = {15, 0, 20};
+    made_line_make(0.12, made_arc, helix, line);
+}
+
 // a helical tube of 4 mm with a third missing, a twentieth stray
 static status make_cloud(size_t count, point_cloud *out)
 {
     static made_line line;
-    static const double helix[3] = {15, 0, 20};
-    made_line_make(0.12, made_arc, helix, &line);
+    make_line(&line);
     const made_scan scan = {.radius = 4e-3,
                             .count = count,
                             .noise = 5e-5,
@@ -116,6 +122,49 @@ static int bench_file(const char *program, const char *name)
     return fails;
 }
 
+// the made cloud of 60,000 points in its own frame by exact features, against the line it was made
+// of
+static status measure_made(scan_result *r)
+{
+    status st = OK;
+    point_cloud cloud = {0};
+    scan_fiducial f[3] = {{.cloud = {0.02, 0, 0}, .rod = {0.02, 0, 0}, .sigma = 1e-6},
+                          {.cloud = {0, 0.02, 0}, .rod = {0, 0.02, 0}, .sigma = 1e-6},
+                          {.cloud = {0, 0, 0.02}, .rod = {0, 0, 0.02}, .sigma = 1e-6}};
+    scan_settings s = *(const scan_settings *)scan_keys.initial;
+    s.fiducials = (key_list){.at = {1, 1}, .count = 3, .items = f};
+    r->cloud.unit = 1;
+    TRY(make_cloud(60000, &cloud));
+    TRY(scan_measure(&cloud, "made", &s, (scan_progress){0}, r));
+
+done:
+    point_cloud_free(&cloud);
+    return st;
+}
+
+static int bench_accuracy(void)
+{
+    static made_line line;
+    scan_result r = {0};
+    double squares = 0;
+    if (measure_made(&r) != OK) {
+        printf("FAIL  %s\n", status_message());
+        return 1;
+    }
+    make_line(&line);
+    for (int i = 0; i < r.line.count; i++) {
+        const vec3 known = made_line_at(&line, fmin(r.line.s[i], line.length)).p;
+        squares += pow(vec3_norm(vec3_sub(r.line.p[i], known)), 2) / r.line.count;
+    }
+    const vec3 tip = made_line_at(&line, line.length).p;
+    int fails = bench_target("centreline, rms", 1e3 * sqrt(squares), 0.03, "mm");
+    fails +=
+        bench_target("tip", 1e3 * vec3_norm(vec3_sub(r.line.p[r.line.count - 1], tip)), 0.1, "mm");
+    fails += bench_target("radius", 1e3 * fabs(r.tube.radius_free - 4e-3), 0.02, "mm");
+    scan_result_free(&r);
+    return fails;
+}
+
 int main(int argc, char **argv)
 {
     char program[4096];
@@ -130,5 +179,5 @@ int main(int argc, char **argv)
     const char *slash = strrchr(argv[0], '/');
     (void)snprintf(program, sizeof program, "%.*sstiffaxis", slash ? (int)(slash - argv[0]) + 1 : 0,
                    argv[0]);
-    return bench_file(program, "ply") + bench_file(program, "xyz") > 0;
+    return bench_accuracy() + bench_file(program, "ply") + bench_file(program, "xyz") > 0;
 }

@@ -172,14 +172,46 @@ done:
     return st;
 }
 
+// the box around the body, with some room
+static void body_box(const scan_result *r, double low[3], double high[3])
+{
+    static const double ROOM = 3; // radii
+    for (int d = 0; d < 3; d++) {
+        low[d] = INFINITY;
+        high[d] = -INFINITY;
+        for (int i = 0; i < r->line.count; i++) {
+            low[d] = fmin(low[d], r->line.p[i].a[d] - ROOM * r->line.radius);
+            high[d] = fmax(high[d], r->line.p[i].a[d] + ROOM * r->line.radius);
+        }
+    }
+}
+
+static bool is_within(const double low[3], const double high[3], vec3 p)
+{
+    bool in = true;
+    for (int d = 0; d < 3; d++) {
+        in = in && p.a[d] >= low[d] && p.a[d] <= high[d];
+    }
+    return in;
+}
+
+// every so manyth of the points around the body
 static status keep_shown(const point_cloud *cloud, scan_result *r)
 {
     status st = OK;
-    const size_t step = cloud->count / SCAN_SHOWN + 1;
-    TRY(TAKE(r->shown.p, cloud->count / step + 1));
-    for (size_t i = 0; i < cloud->count; i += step) {
+    double low[3], high[3];
+    size_t count = 0, seen = 0;
+    body_box(r, low, high);
+    for (size_t i = 0; i < cloud->count; i++) {
+        count += is_within(low, high, registration_place(&r->place, vector(cloud->p[i])));
+    }
+    const size_t step = count / SCAN_SHOWN + 1;
+    TRY(TAKE(r->shown.p, count / step + 1));
+    for (size_t i = 0; i < cloud->count; i++) {
         const vec3 p = registration_place(&r->place, vector(cloud->p[i]));
-        memcpy(r->shown.p[r->shown.count++], p.a, sizeof p.a);
+        if (is_within(low, high, p) && seen++ % step == 0) {
+            memcpy(r->shown.p[r->shown.count++], p.a, sizeof p.a);
+        }
     }
 
 done:

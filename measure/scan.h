@@ -31,7 +31,7 @@ typedef struct scan_mark {
     double angle, sigma;
 } scan_mark;
 
-enum { SCAN_UNITS = 5, SCAN_MOST_FIDUCIALS = 32, SCAN_SHOWN = 3000 };
+enum { SCAN_UNITS = 5, SCAN_MOST_FIDUCIALS = 32, SCAN_SHOWN = 5000 };
 
 // What a scan's file, or --set scan.KEY=..., says; NAN where a number was not given.
 typedef struct scan_settings {
