@@ -66,6 +66,7 @@ for name in centreline.csv centreline.vtk scan.json scan.svg scan.png; do
     [ -s "$work/result/$name" ] || fail "no $name"
 done
 valid_json "$work/result/scan.json"
+sed -n 2p "$work/result/centreline.csv" | grep -q '^# SYNTHETIC' || fail 'centreline.csv is not called synthetic'
 [ "$(head -1 "$work/result/centreline.csv" | tr -d '\r')" = s_mm,x_mm,y_mm,z_mm,sigma_mm,fit_sigma_mm ] ||
     fail 'the names of centreline.csv'
 # the tip of the arc: 60 (1 - cos 2) = 84.97 along the rod's y, 60 sin 2 = 54.56 up
@@ -76,10 +77,10 @@ tail -1 "$work/result/centreline.csv" | awk -F, '{
 sed 's/^  tensions_N:.*/  tensions_N: [[0.49, 0]]/' "$source/cases/constant_nc.yaml" >"$work/case.yaml"
 cat >>"$work/case.yaml" <<END
 measured:
-  synthetic: true
   shapes: [{name: arc, csv: result/centreline.csv, solution: 1}]
 END
-expect 0 "$program" check "$work/case.yaml"
+expect 0 "$program" compare "$work/case.yaml"
+out 'SYNTHETIC'
 expect 2 "$program" scan "$work/scan.yaml" --out "$work/result"
 err '--force replaces it'
 expect 0 "$program" scan "$work/scan.yaml" --out "$work/result" --force --set scan.spacing_mm=5

@@ -10,9 +10,6 @@
 #include <string.h>
 
 static const double RADIUS = 4e-3, NOISE = 5e-5;
-// a smoothed line ends without curvature, so that where the body bends there it is off by so much:
-// k h^2 / 6 with k = 12 1/m over about h = 2.5 mm
-static const double END = 1.2e-5;
 static made_line line;
 
 static vec3 moved(pose g, vec3 p)
@@ -61,7 +58,7 @@ static double compare(const scan_result *r, double *worst)
         const pose g = made_line_at(&line, fmin(r->line.s[i], line.length));
         const vec3 t = mat3_mul_vec(g.R, (vec3){{0, 0, 1}}), d = vec3_sub(r->line.p[i], g.p);
         const vec3 across = vec3_add_scaled(d, -vec3_dot(d, t), t);
-        sum += vec3_dot(across, across) / (2 * r->line.sigma[i] * r->line.sigma[i] + END * END);
+        sum += vec3_dot(across, across) / (2 * r->line.sigma[i] * r->line.sigma[i]);
         *worst = fmax(*worst, vec3_norm(across));
     }
     return sum / r->line.count;
