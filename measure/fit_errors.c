@@ -69,6 +69,12 @@ void fit_learn(fit *f, const double *z)
         status_clear(); // what was taken before stays
         goto done;
     }
+    // the model knows where the line runs better than its own chords, at the ends above all: an
+    // error along the line is not to come in
+    for (int i = 0; i < f->nall; i++) {
+        const pose g = fit_base_pose(f, z, f->all[i].shape);
+        fit_set_across(&f->all[i], mat3_mul_vec(g.R, f->slope[i]));
+    }
     misfits(f, z, u, told);
     for (int i = 0; i < f->nall; i++) {
         sum += told[i] ? 0 : u[2 * i] * u[2 * i] + u[2 * i + 1] * u[2 * i + 1];

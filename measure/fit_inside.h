@@ -35,6 +35,7 @@ typedef struct fit {
     vec3 *q, *dq; // [nall], [nunknown][nall]
     vec3 *p;      // [nshape][FIT_POINTS]
     vec3 *tip;    // [nshape] of the model
+    vec3 *slope;  // [nall] the model's direction there, of the last shapes solved
     int nsolve;
 } fit;
 
@@ -43,6 +44,9 @@ void fit_free(fit *f);
 
 // Which stations are used: every stride-th of each shape.
 void fit_use(fit *f, int stride);
+
+// The two directions across a line that runs along d.
+void fit_set_across(fit_station *t, vec3 d);
 
 // q at all stations for x, tips too; ERR_NUMERIC where the model has no shape there.
 status fit_places(fit *f, const double *x, vec3 *q);

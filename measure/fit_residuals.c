@@ -142,7 +142,7 @@ static void station_row(const fit *f, int station, const pose *g, const double *
     }
 }
 
-// r_i becomes (r_i - rho r_{i-1}) / sqrt(1 - rho^2), rho = exp(-ds / length)     (7.32)
+// r_i becomes (r_i - rho r_{i-1}) / sqrt(1 - rho^2), rho = exp(-ds / length)     (9.62)
 static void whiten(const fit *f, double *r, double *jacobian)
 {
     const size_t nz = (size_t)fit_nz(f);

@@ -42,11 +42,15 @@ static int nearest(const centreline *c, double s, int from)
 // the line's direction at a station, over a stretch that noise does not turn
 static const double direction_share = 0.04;
 
-static void set_across(const centreline *c, fit_station *t)
+static vec3 chord(const centreline *c, double s)
 {
     const double half = direction_share * span(c);
-    const double a = fmax(t->s - half, c->s[0]), b = fmin(t->s + half, c->s[c->count - 1]);
-    vec3 d = vec3_sub(centreline_at(c, b), centreline_at(c, a));
+    const double a = fmax(s - half, c->s[0]), b = fmin(s + half, c->s[c->count - 1]);
+    return vec3_sub(centreline_at(c, b), centreline_at(c, a));
+}
+
+void fit_set_across(fit_station *t, vec3 d)
+{
     d = vec3_scale(1 / vec3_norm(d), d);
     const int thin = fabs(d.a[0]) < 0.7 ? 0 : 1;
     vec3 other = {{0}};
@@ -81,7 +85,7 @@ static void add_shape(fit *f, int shape)
         fit_station *t = &f->all[f->nall++];
         *t = (fit_station){.shape = shape, .s = c->s[i], .at = c->p[i]};
         t->sigma = told ? c->sigma[i] : NAN;
-        set_across(c, t);
+        fit_set_across(t, chord(c, t->s));
     }
 }
 
@@ -150,6 +154,7 @@ status fit_make(const fit_problem *problem, fit *out)
         }
     }
     TRY(TAKE(f.q, (size_t)f.nall));
+    TRY(TAKE(f.slope, (size_t)f.nall));
     TRY(TAKE(f.dq, n * (size_t)f.nall));
     f.nbase = problem->base == FIT_BASE_FIXED    ? 0
               : problem->base == FIT_BASE_COMMON ? 1
@@ -175,6 +180,7 @@ void fit_free(fit *f)
     free(f->p);
     free(f->tip);
     free(f->q);
+    free(f->slope);
     free(f->dq);
     *f = (fit){0};
 }
@@ -274,7 +280,10 @@ status fit_places(fit *f, const double *x, vec3 *q)
             scale = own->to_tip ? end / own->line->s[own->line->count - 1] : 1;
         }
         const double s = scale * t->s;
-        q[i] = place_at(&m, own->rest ? s : unloaded(&m, s, &panel));
+        const double at = own->rest ? s : unloaded(&m, s, &panel);
+        q[i] = place_at(&m, at);
+        const int near = (int)fmin(fmax(at / m.h + 0.5, 0), FIT_POINTS - 1);
+        f->slope[i] = m.slope[near];
     }
 
 done:

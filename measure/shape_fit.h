@@ -1,10 +1,10 @@
 // measure/shape_fit.h
-// Unknown numbers of a model by least squares from measured shapes, docs/theory.md section 7.
+// Unknown numbers of a model by least squares from measured shapes, docs/theory.md section 9.
 //
 // What is compared is the place across the measured line: where a point sits along it nobody
 // measured. Errors of neighbouring points go together; what is fitted, and how sure, takes that
-// into account by a first-order autoregression along each line (7.32). Each scan may lie a little
-// off the model's base (7.31).
+// into account by a first-order autoregression along each line (9.62). Each scan may lie a little
+// off the model's base (9.61).
 #pragma once
 
 #include "measure/centreline.h"
