@@ -19,7 +19,7 @@ static const double start_smoothing = 0.5; // radii
 static const double fade = 5;              // deviations at which a point no longer counts
 // radii: while the smoothing is not yet chosen, its bias must not cost points
 static const double least_reach = 1e-4, first_reach = 0.02;
-static const double settled = 1e-3;            // of the noise
+static const double settled = 5e-3;            // of the noise
 static const double normal_deviation = 1.4826; // of a median without sign
 
 void tube_fit_free(tube_fit *f)

@@ -123,7 +123,7 @@ status tube_fit_make(const tube_grid *grid, const tube_trace *trace, const tube_
 void tube_fit_free(tube_fit *f);
 // feet, residuals and noise anew
 void tube_fit_residuals(tube_fit *f, double reach);
-// ends when the line moves by less than a thousandth of the noise; `choose`: the smoothing, where
+// ends when the line moves by less than a 200th of the noise; `choose`: the smoothing, where
 // none is given
 status tube_fit_solve(tube_fit *f, double reach, bool choose, bool covariance);
 // of the place at u across the line: root mean square of both directions
