@@ -49,7 +49,7 @@ done:
 
 // The straight line through the stretch is known more closely than its slope at zero. The means of
 // the departure from it and of itself over neighbours, from the middle of the stretch on: where the
-// first passes that share of the second, the linear range ends             (7.4)
+// first passes that share of the second, the linear range ends             (9.85)
 static void linear_range(const tensile_curve *c, const tensile_choice *w, double departure,
                          tensile_answer *a)
 {

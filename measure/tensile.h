@@ -1,5 +1,6 @@
 // measure/tensile.h
-// Young's modulus from tensile curves, by a stated rule                   docs/measurements.md
+// Young's modulus from tensile curves, by a stated rule                   docs/theory.md (9.80) to
+// (9.87)
 //
 // A parabola is laid through the straight stretch of the first loading, and E is its slope where
 // its stress is zero: the bend of the stretch is in the interval, not in the number. The stretch

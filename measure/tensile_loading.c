@@ -242,11 +242,11 @@ status tensile_loading(const tensile_curve *c, tensile_curve *out, tensile_answe
     }
     if (l.n > 0) {
         turn_signs(&l, a);
+        drop_duplicates(&l, a);
+        TRY(drop_spikes(&l, a));
         TRY(strain_noise(&l, &noise));
         cut_loading(&l, noise, a);
         cut_rest(&l);
-        drop_duplicates(&l, a);
-        TRY(drop_spikes(&l, a));
         TRY(cut_at_slip(&l, a));
     }
     a->nloading = l.n;

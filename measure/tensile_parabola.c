@@ -59,7 +59,7 @@ static double leverage(const double *row, int p, const double *C)
     return h;
 }
 
-// V = tau C (sum r^2/(1 - h) x x^T) C: right too where the noise grows with the stress   (7.3)
+// V = tau C (sum r^2/(1 - h) x x^T) C: right too where the noise grows with the stress   (9.81)
 static void covariance(int n, int p, const double *X, const double *C, const double *r, double tau,
                        tensile_fit *out)
 {

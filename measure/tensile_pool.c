@@ -28,7 +28,7 @@ static spread spread_at(int n, const tensile_answer *a, const bool *used, double
     return s;
 }
 
-// the variance between samples with which what is seen is what is expected: excess = k - 1   (7.5)
+// the variance between samples with which what is seen is what is expected: excess = k - 1   (9.86)
 static double paule_mandel(int n, const tensile_answer *a, const bool *used, int k)
 {
     double low = 0, high = 0;

@@ -109,7 +109,8 @@ done:
     return st;
 }
 
-// The slope at zero stress, y' = p1 + 2 p2 t0 at t0 = -p0/p1, not further out than `furthest` (7.2)
+// The slope at zero stress, y' = p1 + 2 p2 t0 at t0 = -p0/p1, not further out than `furthest`
+// (9.80)
 static void slope_at_zero(const tensile_fit *f, double t0, double *E, double *variance)
 {
     const double g[CUBIC] = {0, 1, 2 * t0, 0};
