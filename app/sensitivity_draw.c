@@ -1,6 +1,6 @@
 // app/sensitivity_draw.c
 // All parameters that have a range, drawn at random together; the solutions of every sample; what
-// their spread is. docs/theory.md (9.61)
+// their spread is. docs/theory.md (9.58)
 #include "app/sensitivity.h"
 #include "base/memory.h"
 #include "measure/gsl_door.h"

@@ -1,6 +1,6 @@
 // app/sensitivity_rates.c
 // How the tip moves by a parameter, from the rod's own derivative towards rods that are made with
-// it a little larger and smaller: docs/theory.md (4.27), (9.60).
+// it a little larger and smaller: docs/theory.md (4.27), (9.57).
 #include "app/rod_ask.h"
 #include "app/sensitivity.h"
 

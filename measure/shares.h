@@ -1,6 +1,6 @@
 // measure/shares.h
 // What random samples say: the spread of a quantity, and which parameter it comes from.
-// docs/theory.md (9.61)
+// docs/theory.md (9.58)
 #pragma once
 
 #include "base/status.h"
