@@ -71,8 +71,10 @@ function(program name file)
 endfunction()
 
 # tests/<kind>/<room>/test_X.c is a program linked with that room; tests/cli/*.sh runs the program
-# Label `numbers`: long runs whose point is numbers, not memory; the sanitized build of ./run check leaves them out.
+# Label `numbers`: long runs whose point is numbers, not memory; the sanitized half of ./run check leaves them out, so that
+# build makes their programs only when the target `numbers` is asked for.
 function(tests)
+    add_custom_target(numbers)
     foreach(kind unit verify)
         file(GLOB files CONFIGURE_DEPENDS tests/${kind}/*/*.c)
         foreach(file ${files})
@@ -90,6 +92,8 @@ function(tests)
             set(labels ${kind})
             if(kind STREQUAL verify)
                 list(APPEND labels numbers)
+                add_dependencies(numbers ${name})
+                set_target_properties(${name} PROPERTIES EXCLUDE_FROM_ALL "$<CONFIG:Debug>")
             endif()
             set_tests_properties(${kind}/${room}/${name} PROPERTIES TIMEOUT 600 LABELS "${labels}"
                 ENVIRONMENT "STIFFAXIS_SOURCE=${PROJECT_SOURCE_DIR}")
@@ -131,6 +135,7 @@ function(benchmarks)
         our_code(${name})
         target_link_libraries(${name} PRIVATE commands m)
         add_dependencies(${name} door_hdf5 door_gmsh door_petsc door_gsl)
+        set_target_properties(${name} PROPERTIES EXCLUDE_FROM_ALL "$<CONFIG:Debug>") # timed only as users run them
     endforeach()
 endfunction()
 
