@@ -207,7 +207,8 @@ static const char *line_that_begins(const char *text, const char *key)
 }
 
 // "fitted: '...'" in front of the file, in place of an earlier such line
-static status add_headline(const case_data *c, const fit_result *r, const char *text, char **out)
+static status add_headline(const case_data *c, const fit_result *r, const char *text, int nleft,
+                           char **out)
 {
     status st = OK;
     static const char key[] = "fitted:";
@@ -215,14 +216,15 @@ static status add_headline(const case_data *c, const fit_result *r, const char *
     size_t n = 0;
     (void)fit_result_words(r, words, sizeof words);
     n = (size_t)snprintf(line, sizeof line, "%s '", key);
-    for (const char *p = words; *p && n + 60 < sizeof line; p++) {
+    for (const char *p = words; *p && n + 120 < sizeof line; p++) {
         line[n++] = *p;
         if (*p == '\'') {
             line[n++] = *p;
         }
     }
-    n += (size_t)snprintf(line + n, sizeof line - n, "%s'\n",
-                          r->synthetic ? " (to synthetic shapes)" : "");
+    n += (size_t)snprintf(line + n, sizeof line - n, "%s%s'\n",
+                          r->synthetic ? " (to synthetic shapes)" : "",
+                          nleft > 0 ? "; NOT ALL IN FORCE: see the end of the case" : "");
     const char *old = c->file.fitted ? line_that_begins(text, key) : NULL;
     const char *at = old ? old : line_that_begins(text, "format:");
     const char *rest = old ? old + strcspn(old, "\n") : at;
@@ -246,13 +248,14 @@ static status write_fitted(const case_data *c, run_result *out)
     settings s = {0};
     char *text = NULL, *ended = NULL;
     size_t length = 0;
+    int nleft = 0;
     for (int i = 0; i < c->file.fit.parameters.count; i++) {
         TRY(settings_add(&s, &parameter_of(c, i)->what, out->fit.answer.value[i]));
     }
-    TRY(config_rewrite(c->config, s.count, (const char *const *)s.text, &text, &length));
+    TRY(config_rewrite(c->config, s.count, (const char *const *)s.text, &text, &length, &nleft));
     TRY(TAKE(ended, length + 1));
     memcpy(ended, text, length);
-    TRY(add_headline(c, &out->fit, ended, &out->fitted_case));
+    TRY(add_headline(c, &out->fit, ended, nleft, &out->fitted_case));
 
 done:
     free(ended);

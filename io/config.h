@@ -38,9 +38,10 @@ const char *config_path(const config *cfg);
 const char *config_text(const config *cfg, size_t *length);
 
 // The file's text with its overrides and more of them put in the place of the values that stand
-// there; those of keys that are not written in it follow as comment lines. *text is the caller's.
+// there, or into the maps that lack their keys; *nleft of them, for which there is no such place,
+// follow as comment lines. *text is the caller's.
 status config_rewrite(const config *cfg, int nsetting, const char *const *settings, char **text,
-                      size_t *length);
+                      size_t *length, int *nleft);
 
 // The length of the rod, as L in expressions; call before config_read. Wherever a number stands,
 // arithmetic may stand (io/expression.h). Under a key with a unit of length L and s have that unit:

@@ -3,13 +3,15 @@
 #include "base/memory.h"
 #include "io/case_text.h"
 #include "io/case_tree.h"
+#include "io/key_names.h"
 #include "io/yaml_door.h"
 
 #include <stdio.h>
 #include <string.h>
 
 typedef struct edit {
-    size_t from, length; // in the text as read
+    size_t from, length; // in the text as read; length 0: put in front of what stands there
+    const char *setting; // whose it is
     const char *value;
 } edit;
 
@@ -20,6 +22,7 @@ typedef struct rewrite {
     edit *edits;
     char *left; // settings that found no place, as comment lines
     size_t left_length;
+    int nleft;
 } rewrite;
 
 // --- places
@@ -86,11 +89,62 @@ static bool place_of(const config *cfg, const node *n, edit *out)
            memcmp(cfg->text + out->from, n->text, out->length) == 0;
 }
 
+// whether nothing but blanks and dashes of lists stands before this place on its line
+static bool begins_line(const char *text, size_t from)
+{
+    while (from > 0 && (text[from - 1] == ' ' || text[from - 1] == '-')) {
+        from--;
+    }
+    return from == 0 || text[from - 1] == '\n';
+}
+
+static status spell(rewrite *w, edit *e, const char *key, const char *value, const char *behind,
+                    int indent)
+{
+    status st = OK;
+    char *text = NULL;
+    const size_t room =
+        strlen(key) + strlen(value) + strlen(behind) + (size_t)(indent > 0 ? indent : 0) + 3;
+    TRY(ARENA_TAKE(w->tree.memory, text, room));
+    (void)snprintf(text, room, "%s: %s%s%*s", key, value, behind, indent, "");
+    e->value = text;
+
+done:
+    return st;
+}
+
+// a key that its map does not have: in place of the same one in another unit, or as the first one.
+// *found false where neither can be done.
+static status place_of_new(rewrite *w, const node *map, const char *key, const char *value, edit *e,
+                           bool *found)
+{
+    const config *cfg = w->from;
+    const node *first = map && map->kind == NODE_MAP ? map->first : NULL;
+    for (const node *entry = first; entry; entry = entry->next) {
+        if (key_same_base(entry->key, key)) {
+            edit old = {0};
+            *found = place_of(cfg, entry, &old);
+            e->from = offset_of(cfg->text, cfg->length, entry->key_at);
+            e->length = old.from + old.length - e->from;
+            return *found ? spell(w, e, key, value, "", 0) : OK;
+        }
+    }
+    if (first) {
+        const bool flow = cfg->text[offset_of(cfg->text, cfg->length, map->at)] == '{';
+        e->from = offset_of(cfg->text, cfg->length, first->key_at);
+        *found = flow || begins_line(cfg->text, e->from);
+        return flow ? spell(w, e, key, value, ", ", 0)
+                    : spell(w, e, key, value, "\n", first->key_at.column - 1);
+    }
+    return OK;
+}
+
 // --- edits
 
 static status leave(rewrite *w, const char *setting)
 {
     status st = OK;
+    w->nleft++;
     static const char head[] = "# not written in this file: --set ";
     char *longer = NULL;
     const size_t more = sizeof head + strlen(setting) + 1;
@@ -104,18 +158,52 @@ done:
     return st;
 }
 
+static status find_place(rewrite *w, const char *setting, edit *e, bool *found)
+{
+    status st = OK;
+    const char *equals = strchr(setting, '='), *key = setting;
+    char *last = NULL;
+    if (!equals || strchr(equals, '\n')) {
+        return OK;
+    }
+    const node *n = find(w->tree.root, setting, (size_t)(equals - setting));
+    e->value = equals + 1;
+    *found = place_of(w->from, n, e);
+    if (n) {
+        return OK;
+    }
+    for (const char *c = setting; c < equals; c++) {
+        key = *c == '.' ? c + 1 : key;
+    }
+    const size_t length = (size_t)(equals - key);
+    const size_t parent = key > setting ? (size_t)(key - setting) - 1 : 0;
+    TRY(ARENA_TAKE(w->tree.memory, last, length + 1));
+    memcpy(last, key, length);
+    TRY(place_of_new(w, find(w->tree.root, setting, parent), last, equals + 1, e, found));
+
+done:
+    return st;
+}
+
+static bool same_key(const char *setting, const char *other)
+{
+    const size_t n = strcspn(setting, "=");
+    return n == strcspn(other, "=") && strncmp(setting, other, n) == 0;
+}
+
 static status add_setting(rewrite *w, const char *setting)
 {
-    const char *equals = strchr(setting, '=');
-    edit e = {0};
-    if (!equals || strchr(equals, '\n') ||
-        !place_of(w->from, find(w->tree.root, setting, (size_t)(equals - setting)), &e)) {
+    status st = OK;
+    edit e = {.setting = setting};
+    bool found = false;
+    TRY(find_place(w, setting, &e, &found));
+    if (!found) {
         return leave(w, setting);
     }
-    e.value = equals + 1;
     for (int i = 0; i < w->nedit; i++) {
-        if (w->edits[i].from == e.from) { // the last one holds
-            w->edits[i] = e;
+        if (w->edits[i].from == e.from &&
+            (e.length > 0 || same_key(w->edits[i].setting, setting))) {
+            w->edits[i] = e; // the last one holds
             return OK;
         }
     }
@@ -124,7 +212,9 @@ static status add_setting(rewrite *w, const char *setting)
         w->edits[i] = w->edits[i - 1];
     }
     w->edits[i] = e;
-    return OK;
+
+done:
+    return st;
 }
 
 static status put_together(const rewrite *w, char **text, size_t *length)
@@ -159,7 +249,7 @@ done:
 }
 
 status config_rewrite(const config *cfg, int nsetting, const char *const *settings, char **text,
-                      size_t *length)
+                      size_t *length, int *nleft)
 {
     status st = OK;
     rewrite w = {.from = cfg, .tree = {.path = cfg->path}};
@@ -173,6 +263,7 @@ status config_rewrite(const config *cfg, int nsetting, const char *const *settin
         TRY(add_setting(&w, settings[i]));
     }
     TRY(put_together(&w, text, length));
+    *nleft = w.nleft;
 
 done:
     arena_free(w.tree.memory);

@@ -70,6 +70,29 @@ grep -q 'Fitted to synthetic shapes' out/report.html || fail "the page does not 
 
 # the fitted case goes on, and says what it is
 cp out/fitted.yaml . && "$STIFFAXIS" rod fitted.yaml --json --quiet | grep -q 'fitted: tendon radius' || fail "fitted.yaml"
+# keys that the case leaves out, in a map in braces and in one of lines, and one written in another unit: all in force
+tip() { "$STIFFAXIS" rod "$1" --json --quiet | grep tip_position; }
+sed 's/, friction: 0.1}/}/; s/length_mm: 120/length_cm: 12/' case.yaml > without.yaml
+for keys in braces lines; do
+    [ "$keys" = braces ] ||
+        sed -i 's/^  tendons: .*/  tendons:\n    - name: t1\n      radius_mm: 3.6\n      angle_rad: 0/' without.yaml
+    "$STIFFAXIS" fit without.yaml --quiet --force --out short --set rod.length_mm=120 > /dev/null || fail "$keys: not fitted"
+    cp short/fitted.yaml . && grep -q 'length_mm: 120' fitted.yaml || fail "$keys: no length_mm"
+    "$STIFFAXIS" check fitted.yaml --quiet > /dev/null || fail "$keys: fitted.yaml is no case"
+    [ "$(tip fitted.yaml | head -1)" != "$(tip without.yaml | head -1)" ] || fail "$keys: fitted.yaml changes nothing"
+    grep -q 'NOT ALL' fitted.yaml && fail "$keys: something was left out"
+    "$STIFFAXIS" rod fitted.yaml --json --quiet | awk '/tip_position/ { gsub(/[^-0-9.e,]/, ""); split($0, p, ","); n++
+        if (n == 1) x = p[1] } END { exit !(x > 0) }' || fail "$keys: no tip"
+    "$STIFFAXIS" rod without.yaml --json --quiet --set "rod.tendons.t1.friction=$(sed -n 's/.*friction: \(0\.[0-9]*\).*/\1/p' fitted.yaml | head -1)" \
+        --set "rod.tendons.t1.radius_mm=$(sed -n 's/.*radius_mm: \(3\.[0-9]*\).*/\1/p' fitted.yaml | tail -1)" | grep tip_position > told
+    tip fitted.yaml | cmp -s - told || fail "$keys: fitted.yaml is another rod than its own values"
+done
+# what has no place is told
+sed 's/radius_mm: 3.6,/radius_mm: "3.6",/' case.yaml > quoted.yaml
+"$STIFFAXIS" fit quoted.yaml --quiet --force --out short > /dev/null || fail "quoted: not fitted"
+grep -q '^fitted: .*NOT ALL IN FORCE' short/fitted.yaml && tail -1 short/fitted.yaml | grep -q '^# .*--set rod.tendons.t1.radius_mm=3.5' ||
+    fail "quoted: $(grep fitted: short/fitted.yaml)"
+
 "$STIFFAXIS" run case.yaml --quiet --out run > /dev/null && [ -s run/fit.svg ] || fail "run does not fit"
 
 # 2 for the case, 4 for numbers that cannot be told; the same for `check` where it can know
