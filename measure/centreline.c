@@ -13,6 +13,10 @@ status centreline_make(int count, centreline *out)
     TRY(TAKE(c.s, (size_t)count));
     TRY(TAKE(c.p, (size_t)count));
     TRY(TAKE(c.sigma, (size_t)count));
+    TRY(TAKE(c.own, (size_t)count));
+    for (int i = 0; i < count; i++) {
+        c.own[i] = NAN;
+    }
     *out = c;
     c = (centreline){0};
 
@@ -26,7 +30,13 @@ void centreline_free(centreline *c)
     free(c->s);
     free(c->p);
     free(c->sigma);
+    free(c->own);
     *c = (centreline){0};
+}
+
+double centreline_own_sigma(const centreline *c, int i)
+{
+    return c->own && !isnan(c->own[i]) ? c->own[i] : c->sigma[i];
 }
 
 // where the four points for s begin

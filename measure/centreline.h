@@ -10,6 +10,8 @@ typedef struct centreline {
     double *s;     // [count] arclength from the base [m], ascending from 0
     vec3 *p;       // [count] [m]
     double *sigma; // [count] standard deviation of the place across the line [m]; NAN: unknown
+    double *own;   // [count] the part of sigma that does not move the whole line, as an error of its
+                   // registration does [m]; NAN: unknown
     double radius; // of the tube [m]; NAN: unknown
     double radius_sigma;       // [m]
     double correlation_length; // over which errors along the line go together [m]; NAN: unknown
@@ -17,6 +19,9 @@ typedef struct centreline {
 
 status centreline_make(int count, centreline *out);
 void centreline_free(centreline *c);
+
+// The standard deviation of point i against its neighbours: its own where it is known, else sigma.
+double centreline_own_sigma(const centreline *c, int i);
 
 // The place at s, by a cubic through four neighbours; beyond the ends by the last ones.
 vec3 centreline_at(const centreline *c, double s);

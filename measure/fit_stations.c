@@ -61,11 +61,17 @@ void fit_set_across(fit_station *t, vec3 d)
     t->across[1] = vec3_cross(d, n);
 }
 
-static bool tells_sigma(const centreline *c)
+// what moves a whole scan at once is an unknown of its own unless the base is held
+static double sigma_of(const fit *f, const centreline *c, int i)
+{
+    return f->problem->base == FIT_BASE_FIXED ? c->sigma[i] : centreline_own_sigma(c, i);
+}
+
+static bool tells_sigma(const fit *f, const centreline *c)
 {
     bool all = true;
     for (int i = 0; i < c->count; i++) {
-        all = all && c->sigma[i] > 0;
+        all = all && sigma_of(f, c, i) > 0;
     }
     return all;
 }
@@ -73,7 +79,7 @@ static bool tells_sigma(const centreline *c)
 static void add_shape(fit *f, int shape)
 {
     const centreline *c = f->problem->shape[shape].line;
-    const bool told = tells_sigma(c);
+    const bool told = tells_sigma(f, c);
     const int n = 1 + (int)(span(c) / f->step + 0.5);
     int last = -1;
     for (int k = 0; k < n && f->nall < f->problem->nshape * FIT_MOST_STATIONS; k++) {
@@ -84,7 +90,7 @@ static void add_shape(fit *f, int shape)
         last = i;
         fit_station *t = &f->all[f->nall++];
         *t = (fit_station){.shape = shape, .s = c->s[i], .at = c->p[i]};
-        t->sigma = told ? c->sigma[i] : NAN;
+        t->sigma = told ? sigma_of(f, c, i) : NAN;
         fit_set_across(t, chord(c, t->s));
     }
 }

@@ -30,7 +30,7 @@ static double bend_sigma(const centreline *c, int first, int n, double at)
     vec3 part[MOST_PLACES];
     line_fit_bend_weights(n, c->s + first, at, weight);
     for (int i = 0; i < n; i++) {
-        part[i] = (vec3){{weight[i] * c->sigma[first + i], 0, 0}};
+        part[i] = (vec3){{weight[i] * centreline_own_sigma(c, first + i), 0, 0}};
     }
     return sqrt(correlated_variance(n, c->s + first, part, c->correlation_length));
 }

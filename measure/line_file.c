@@ -15,6 +15,7 @@
 #define LEAST_CHORD 0.005
 
 static const char *const sigma_names = "sigma|standard_deviation|uncertainty";
+static const char *const own_sigma_names = "fit_sigma"; // a scan's, without that of its frame
 
 static status take(const table *t, const char *name, double **out)
 {
@@ -55,19 +56,19 @@ done:
     return st;
 }
 
-static status take_sigma(const table *t, centreline *c)
+static status take_sigma(const table *t, const char *names, int count, double *sigma)
 {
     status st = OK;
     double *a = NULL;
-    int column = table_find(t, sigma_names);
-    for (int i = 0; i < c->count; i++) {
-        c->sigma[i] = NAN;
+    int column = table_find(t, names);
+    for (int i = 0; i < count; i++) {
+        sigma[i] = NAN;
     }
     if (column >= 0) {
-        TRY(table_need(t, sigma_names, DIM_LENGTH, &column));
+        TRY(table_need(t, names, DIM_LENGTH, &column));
         TRY(table_take(t, column, DIM_LENGTH, &a));
-        for (int i = 0; i < c->count; i++) {
-            c->sigma[i] = a[i];
+        for (int i = 0; i < count; i++) {
+            sigma[i] = a[i];
             if (a[i] < 0) {
                 TRY(table_fail(t, i, "the standard deviation %g mm is negative", 1e3 * a[i]));
             }
@@ -133,7 +134,8 @@ status line_file_read(const char *directory, const key_text *name, double length
         c.s[i] = s[i];
     }
     TRY(take_places(&t, &c));
-    TRY(take_sigma(&t, &c));
+    TRY(take_sigma(&t, sigma_names, c.count, c.sigma));
+    TRY(take_sigma(&t, own_sigma_names, c.count, c.own));
     TRY(check_arclength(&t, &c, length));
     TRY(check_places(&t, &c));
     *synthetic = *synthetic || table_says(&t, "synthetic");

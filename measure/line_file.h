@@ -1,6 +1,7 @@
 // measure/line_file.h
-// A measured centreline from a table: columns s, x, y, z and, where known, sigma, each with its
-// unit of length; columns of other names are passed over.
+// A measured centreline from a table: columns s, x, y, z and, where known, sigma and fit_sigma (the
+// part of it that is not of the frame), each with its unit of length; columns of other names are
+// passed over.
 #pragma once
 
 #include "base/key.h"

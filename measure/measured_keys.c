@@ -17,7 +17,8 @@ static const key shape_key_list[] = {
      .kind = KEY_NAME,
      .required = true,
      .offset = offsetof(measured_shape, csv),
-     .about = "file with columns s, x, y, z and, where known, sigma, with their units (s_mm), in "
+     .about = "file with columns s, x, y, z and, where known, sigma (fit_sigma), with their units "
+              "(s_mm), in "
               "the frame of the rod's base: what `stiffaxis scan` writes"},
     {.name = "tensions",
      .kind = KEY_ROWS,

@@ -91,6 +91,7 @@ status shape_match(const model_line *m, const centreline *measured, const shape_
     memcpy(c.sigma, measured->sigma, (size_t)c.count * sizeof *c.sigma);
     for (int i = 0; i < c.count; i++) {
         c.s[i] = rest ? measured->s[i] : unloaded_arclength(m, scale * measured->s[i]);
+        c.own[i] = centreline_own_sigma(measured, i);
     }
     c.radius = measured->radius;
     c.radius_sigma = measured->radius_sigma;

@@ -226,6 +226,40 @@ static void measured_lines(summary *s, const run_result *r)
         1e3 * fmin(tip[0], tip[1]), 1e3 * tip[1], 100 * shape[0], 100 * shape[1]);
 }
 
+static void fit_lines(summary *s, const run_result *r)
+{
+    char words[400];
+    add(s, "fitted   %s, to %d %sshape%s", fit_result_words(&r->fit, words, sizeof words),
+        r->fit.answer.nshape, r->fit.synthetic ? "SYNTHETIC " : "",
+        r->fit.answer.nshape == 1 ? "" : "s");
+    add(s, "         the lines above have the case's own values; fitted.yaml has these");
+}
+
+static void sensitivity_lines(summary *s, const run_result *r)
+{
+    const sensitivity_result *a = &r->sensitivity;
+    double most = -1;
+    int mover = 0, solution = 0;
+    for (int i = 0; i < a->nmover; i++) {
+        for (int k = 0; k < a->nsolution; k++) {
+            const double moved = move_largest(sensitivity_move(a, i, k));
+            if (moved > most) {
+                most = moved;
+                mover = i;
+                solution = k;
+            }
+        }
+    }
+    if (most >= 0) {
+        add(s, "moved    the tip the most: %s, by %.4g mm in solution %d", a->mover[mover].name,
+            1e3 * most, a->solution[solution] + 1);
+    }
+    if (a->monte_carlo.nsample > 0) {
+        add(s, "         Monte Carlo: %d samples, seed %d, in monte_carlo.csv",
+            a->monte_carlo.nsample, a->monte_carlo.seed);
+    }
+}
+
 status report_summary(const run_result *r, int max_lines, void *stdio_stream)
 {
     FILE *stream = stdio_stream;
@@ -237,6 +271,12 @@ status report_summary(const run_result *r, int max_lines, void *stdio_stream)
     }
     if (r->has_measured) {
         measured_lines(&rest, r);
+    }
+    if (r->fit.there) {
+        fit_lines(&rest, r);
+    }
+    if (r->has_sensitivity) {
+        sensitivity_lines(&rest, r);
     }
     if (r->has_segment) {
         segment_lines(&rest, r);

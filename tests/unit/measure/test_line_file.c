@@ -46,9 +46,17 @@ static void a_line_is_read_in_its_units(void)
     CHECK_NEAR(c.p[1].a[2], 0.06, 1e-15);
     CHECK_NEAR(c.sigma[0], 50e-6, 1e-15);
     CHECK(isnan(c.sigma[1]) && isnan(c.correlation_length));
+    CHECK_NEAR(centreline_own_sigma(&c, 0), 50e-6, 1e-15); // none of its own is told
+    CHECK(isnan(c.own[0]));
     centreline_free(&c);
     CHECK_OK(read_text("s_mm x_mm y_mm z_mm\n0 0 0 0\n120 0 0 120\n", &c));
     CHECK(c.count == 2 && isnan(c.sigma[0]) && !made);
+    centreline_free(&c);
+    CHECK_OK(read_text("s_mm,x_mm,y_mm,z_mm,sigma_mm,fit_sigma_mm\n0,0,0,0,0.2,0.01\n"
+                       "120,0,0,120,0.3,0.02\n",
+                       &c));
+    CHECK_NEAR(c.sigma[1], 3e-4, 1e-15);
+    CHECK_NEAR(centreline_own_sigma(&c, 1), 2e-5, 1e-15);
     centreline_free(&c);
     CHECK_OK(read_text("# Synthetic: computed\ns_mm x_mm y_mm z_mm\n0 0 0 0\n120 0 0 120\n", &c));
     CHECK(made);

@@ -158,6 +158,31 @@ static void covers(const char *what, const noise *n, bool told, int base)
     }
 }
 
+// the frame's part of a scan's sigma counts once: in the base where that is searched, else in sigma
+static void the_frame_counts_once(void)
+{
+    const double x[2] = {10, 5};
+    double error[2][2] = {{0}}; // of the curvature, [base each][own sigma told]
+    for (int each = 0; each < 2; each++) {
+        for (int own = 0; own < 2; own++) {
+            setting w;
+            fit_answer a = {0};
+            set_up(&w, x, &(noise){.sigma = 5e-6}, 1);
+            w.problem.base = each ? FIT_BASE_EACH : FIT_BASE_FIXED;
+            for (int i = 0; i < SHAPES * POINTS; i++) {
+                w.line[i / POINTS].sigma[i % POINTS] = 1e-4;
+                w.line[i / POINTS].own[i % POINTS] = own ? 5e-6 : NAN;
+            }
+            CHECK_OK(shape_fit(&w.problem, &a));
+            error[each][own] = a.error ? a.error[0] : NAN;
+            fit_answer_free(&a);
+            tear_down(&w);
+        }
+    }
+    CHECK(error[0][1] == error[0][0]);
+    CHECK(error[1][1] < 0.3 * error[1][0]);
+}
+
 static void a_bound_is_told(void)
 {
     setting w;
@@ -218,6 +243,7 @@ int main(void)
 {
     exact_shapes_give_exact_values();
     a_bound_is_told();
+    the_frame_counts_once();
     refuses_what_cannot_be_told();
     const noise white = {.sigma = 5e-5}, smooth = {.sigma = 5e-5, .correlation = 4e-3},
                 off = {.sigma = 5e-5, .correlation = 4e-3, .shift = 1e-4, .turn = 0.005};
