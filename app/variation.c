@@ -261,7 +261,8 @@ status varied_solve(varied *w, const variation_places *where, bool local, variat
     for (int k = 0; k < n; k++) {
         const int solution = where->solution ? where->solution[k] : k;
         if (solution < 0 || solution >= ask.count) {
-            TRY(status_fail(ERR_BUG, "variation: solution %d of %d", solution, ask.count));
+            TRY(status_fail(ERR_INPUT, "the rod has no solution %d with this value, but %d of them",
+                            solution + 1, ask.count));
         }
         TRY(solve_one(w, &ask, solution, k, out));
     }

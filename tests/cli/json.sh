@@ -24,8 +24,8 @@ fem='schema dofs K stiffness_centre_m loads name shortening_m tip_rotation_rad m
 document 0 "$section stiffaxis/section/1" "$program" section "$cases/constant_nc.yaml" --json
 document 0 "$rod stiffaxis/rod/1" "$program" rod "$cases/constant_nc.yaml" --json
 document 0 "$fem stiffaxis/fem/1" "$program" fem "$cases/fig4.yaml" --json
-document 0 'schema rows' "$program" compare "$cases/helical_nc.yaml" --json
-document 0 'stiffaxis/run/1 section rod compare' "$program" run "$cases/helical_nc.yaml" --json
+document 0 'schema rows measured' "$program" compare "$cases/helical_nc.yaml" --json
+document 0 'stiffaxis/run/1 section rod measured compare' "$program" run "$cases/helical_nc.yaml" --json
 document 0 'stiffaxis/check/1 valid' "$program" check "$cases/fig4.yaml" --json
 document 0 'properties' "$program" schema --json
 document 0 'stiffaxis/examples/1' "$program" example --json

@@ -74,7 +74,7 @@ tail -1 "$work/result/centreline.csv" | awk -F, '{
     exit !($1 > 119.5 && $1 < 120.5 && $2 * $2 < 0.04 && ($3 - 84.969) ^ 2 < 0.09 && ($4 - 54.558) ^ 2 < 0.09) }' ||
     fail "the tip: $(tail -1 "$work/result/centreline.csv")"
 # what it writes, a case reads
-sed 's/^  tensions_N:.*/  tensions_N: [[0.49, 0]]/' "$source/cases/constant_nc.yaml" >"$work/case.yaml"
+sed 's/^  tensions_N:.*/  tensions_N: [[0.49, 0]]/; /^measured:/,$d' "$source/cases/constant_nc.yaml" >"$work/case.yaml"
 cat >>"$work/case.yaml" <<END
 measured:
   shapes: [{name: arc, csv: result/centreline.csv, solution: 1}]

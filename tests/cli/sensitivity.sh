@@ -164,6 +164,9 @@ out 'tension row = 100:'
 
 # no rod
 sed '/^rod:/,$d' "$work/rod.yaml" >"$work/plane.yaml"
+expect 2 "$program" sensitivity "$source/cases/helical_nc.yaml" \
+    --set 'sensitivity.parameters=[{name: a, keys: [rod.tensions_N], alternative: "[[1], [2]]"}]'
+err 'the rod has no solution 3 with this value'
 expect 2 "$program" sensitivity "$work/plane.yaml"
 err "no 'rod'"
 printf 'sensitivity:\n  solutions: [1]\n' >>"$work/plane.yaml"
