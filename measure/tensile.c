@@ -17,16 +17,17 @@ tensile_rule tensile_rule_default(void)
 static status choose(const gsl_line_door *door, const tensile_curve *c, tensile_choice *out)
 {
     status st = OK;
-    tensile_curve thin = {0};
+    tensile_curve thin = {0}, whole = {0};
     double end = c->strain[0];
     for (int i = 0; i < c->n; i++) {
         end = fmax(end, c->strain[i]);
     }
+    TRY(tensile_thin(c, end, MOST_POINTS, &whole));
     for (int round = 0; round < MOST_ROUNDS; round++) {
         tensile_choice w = {0};
         tensile_curve_free(&thin);
         TRY(tensile_thin(c, end, MOST_POINTS, &thin));
-        st = tensile_choose(door, &thin, &w);
+        st = tensile_choose(door, &thin, &whole, &w);
         if (round > 0 &&
             (st == ERR_FILE || w.se > out->se || w.E + 3 * w.se < out->E - 3 * out->se)) {
             status_clear();
@@ -44,6 +45,7 @@ static status choose(const gsl_line_door *door, const tensile_curve *c, tensile_
 
 done:
     tensile_curve_free(&thin);
+    tensile_curve_free(&whole);
     return st;
 }
 

@@ -1,11 +1,11 @@
 // measure/tensile.h
 // Young's modulus from tensile curves, by a stated rule                   docs/theory.md (9.80) to
-// (9.87)
+// (9.88)
 //
 // A parabola is laid through the straight stretch of the first loading, and E is its slope where
 // its stress is zero: the bend of the stretch is in the interval, not in the number. The stretch
 // is the one that gives E most closely among those that pass for straight; what is less steep
-// than the steepest of them, as the toe is, does not count.
+// than the steepest of them, or soon left behind by the curve, as the toe is, does not count.
 #pragma once
 
 #include "base/status.h"

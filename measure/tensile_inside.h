@@ -49,4 +49,6 @@ typedef struct tensile_choice {
     tensile_fit fit;
 } tensile_choice;
 
-status tensile_choose(const gsl_line_door *door, const tensile_curve *c, tensile_choice *out);
+// `whole`: the loading of which c is the beginning.
+status tensile_choose(const gsl_line_door *door, const tensile_curve *c, const tensile_curve *whole,
+                      tensile_choice *out);

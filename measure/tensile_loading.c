@@ -13,8 +13,10 @@
 static const double turn = 0.02, turn_limit = 8, failure = 0.5;
 // a spike, and a slip, in robust standard deviations
 static const double spike_limit = 8, slip_limit = 10, slip_least = 0.02;
+// a slack as long as this share of the strain is cut off
+static const double slack_least = 0.2;
 
-enum { SLIP_SIDE = 8 };
+enum { SLIP_SIDE = 8, SLACK_FIRST = 9 };
 
 status tensile_curve_make(int n, tensile_curve *out)
 {
@@ -111,6 +113,13 @@ static void cut_loading(tensile_curve *c, double noise, tensile_answer *a)
     c->n = end;
 }
 
+static void drop_first(tensile_curve *c, int count)
+{
+    c->n -= count;
+    memmove(c->strain, c->strain + count, (size_t)c->n * sizeof(double));
+    memmove(c->stress, c->stress + count, (size_t)c->n * sizeof(double));
+}
+
 // The strain begins to rise where it was lowest: what stands before is rest, or settling
 static void cut_rest(tensile_curve *c)
 {
@@ -118,9 +127,28 @@ static void cut_rest(tensile_curve *c)
     for (int i = 1; i < c->n; i++) {
         low = c->strain[i] < c->strain[low] ? i : low;
     }
-    memmove(c->strain, c->strain + low, (size_t)(c->n - low) * sizeof(double));
-    memmove(c->stress, c->stress + low, (size_t)(c->n - low) * sizeof(double));
-    c->n -= low;
+    drop_first(c, low);
+}
+
+// The sample is slack up to where the stress, on its way to the peak, is last as low as it was at
+// first. A short slack is left to the choice of the stretch, as the toe is                 (9.88)
+static void cut_slack(tensile_curve *c)
+{
+    double first[SLACK_FIRST];
+    int peak = 0, slack = 0;
+    if (c->n < 4 * SLACK_FIRST) {
+        return;
+    }
+    memcpy(first, c->stress, sizeof first);
+    const double level = median(SLACK_FIRST, first);
+    for (int i = 1; i < c->n; i++) {
+        peak = c->stress[i] > c->stress[peak] ? i : peak;
+    }
+    for (int i = SLACK_FIRST; i < peak; i++) {
+        slack = c->stress[i] <= level ? i : slack;
+    }
+    const double long_enough = slack_least * (c->strain[c->n - 1] - c->strain[0]);
+    drop_first(c, c->strain[slack] - c->strain[0] > long_enough ? slack : 0);
 }
 
 // points that stand out from the line between their neighbours
@@ -247,6 +275,7 @@ status tensile_loading(const tensile_curve *c, tensile_curve *out, tensile_answe
         TRY(strain_noise(&l, &noise));
         cut_loading(&l, noise, a);
         cut_rest(&l);
+        cut_slack(&l);
         TRY(cut_at_slip(&l, a));
     }
     a->nloading = l.n;

@@ -11,10 +11,10 @@
 // not be seen is kept away from by shortening the stretch, and by leaving more than the toe.
 static const double straight_limit = 2.5, surely_straight = 1;
 static const double shorten = 0.7, longer_toe = 1.5, least_start = 0.15;
-static const double furthest = 1.5, sure = 3, well_known = 0.05;
+static const double furthest = 1.5, sure = 3, well_known = 0.05, toe_rise = 0.1;
 static const double toe_step = 1.6, toe_least = 0.002, toe_most = 0.6, end_step = 0.87;
 
-enum { FEWEST = 8, PIECES = 4, PIECE_FEWEST = 12 };
+enum { FEWEST = 8, PIECES = 4, PIECE_FEWEST = 12, TOE_LENGTHS = 4 };
 
 static int first_at(const tensile_curve *c, double strain)
 {
@@ -182,8 +182,31 @@ done:
     return st;
 }
 
-// The one with the least standard error of those that are not surely less steep than another. Only
-// what is itself sure has a say in that: among so many short ones some are steep by chance.
+// Whether the curve soon rises above the stretch's line, surely and by more than a straight one
+// may: then the stretch lies in the toe, or where the sample was still slack               (9.88)
+static bool lies_in_toe(const tensile_curve *c, const tensile_choice *w)
+{
+    const double length = w->stretch.to - w->stretch.from;
+    for (int k = 0; k < TOE_LENGTHS; k++) {
+        const double from = w->stretch.to + k * length;
+        const tensile_stretch s = stretch_between(c, from, from + length);
+        double above = 0, along = 0;
+        for (int i = s.first; i < s.first + s.count; i++) {
+            above += (c->stress[i] - w->E * (c->strain[i] - w->zero)) / s.count;
+            along += fmax(c->strain[i] - w->zero, 0) / s.count;
+        }
+        const double chance =
+            hypot(w->se * along, w->fit.noise * sqrt(w->fit.tau / fmax(s.count, 1)));
+        if (s.count > 0 && above > toe_rise * w->E * along + sure * chance) {
+            return true;
+        }
+    }
+    return false;
+}
+
+// The one with the least standard error, as a share of its modulus, of those that are not surely
+// less steep than another. Only what is itself sure has a say in that: among so many short ones
+// some are steep by chance.
 static int best_of(int n, const tensile_choice *all)
 {
     double least = INFINITY, steepest = 0;
@@ -198,14 +221,16 @@ static int best_of(int n, const tensile_choice *all)
     }
     for (int i = 0; i < n; i++) {
         const bool steep = all[i].E + sure * all[i].se >= steepest;
-        if (steep && (best < 0 || all[i].se < all[best].se)) {
+        if (steep && all[i].E > 0 &&
+            (best < 0 || all[i].se / all[i].E < all[best].se / all[best].E)) {
             best = i;
         }
     }
     return best;
 }
 
-status tensile_choose(const gsl_line_door *door, const tensile_curve *c, tensile_choice *out)
+status tensile_choose(const gsl_line_door *door, const tensile_curve *c, const tensile_curve *whole,
+                      tensile_choice *out)
 {
     enum { MOST = 32 };
     status st = OK;
@@ -218,7 +243,7 @@ status tensile_choose(const gsl_line_door *door, const tensile_curve *c, tensile
     for (double toe = 0; toe < toe_most && n < MOST; toe = fmax(toe_step * toe, toe_least)) {
         all[n] = (tensile_choice){.E = 0};
         TRY(longest(door, c, begin + toe * size, tau, &all[n]));
-        if (all[n].stretch.count > 0 && isfinite(all[n].se)) {
+        if (all[n].stretch.count > 0 && isfinite(all[n].se) && !lies_in_toe(whole, &all[n])) {
             n++;
         }
     }
