@@ -86,6 +86,7 @@ function(tests)
             endif()
             add_executable(${name} ${file})
             our_code(${name})
+            target_compile_options(${name} PRIVATE -O1) # they are built more often than they run
             target_link_libraries(${name} PRIVATE ${room} m)
             add_dependencies(${name} door_hdf5 door_gmsh door_petsc door_gsl)
             add_test(NAME ${kind}/${room}/${name} COMMAND ${name})
@@ -113,8 +114,8 @@ function(tests)
     endforeach()
     file(GLOB scripts CONFIGURE_DEPENDS tests/cli/*.sh tests/cross/*.sh tests/*.sh)
     # long, and of the same code as the others: once is enough
-    set(numbers blade bodies check_format check_layers failures json mpirun_ways published ranks run_cases segment_compare
-        segment_loads voxel vtkhdf)
+    set(numbers blade bodies check_format check_layers failures fit json mpirun_ways prototypes published ranks run_cases
+        segment_compare segment_loads sensitivity voxel vtkhdf)
     foreach(file ${scripts})
         get_filename_component(name ${file} NAME_WE)
         add_test(NAME script/${name} COMMAND sh ${file})
