@@ -130,7 +130,7 @@ status chain_run(const command *cmd, const case_data *c, chain_parts parts, run_
     if (parts.rod) {
         TRY(warn_tendons(cmd, c));
         TRY(chain_rods(cmd, c, &r));
-        TRY(parts.measured ? chain_measured(c, &r) : OK);
+        TRY(parts.measured ? chain_measured(cmd, c, &r) : OK);
     }
     TRY(parts.sensitivity ? chain_sensitivity(cmd, c, &r) : OK);
     if (parts.fit) {

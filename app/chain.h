@@ -29,7 +29,7 @@ status chain_section(const case_data *c, bool mesh, run_result *out);
 status chain_answers(const case_data *c, bool fields, run_result *out);
 status chain_points(const case_data *c, run_result *out);
 status chain_rods(const command *cmd, const case_data *c, run_result *out); // after chain_section
-status chain_measured(const case_data *c, run_result *out);                 // after chain_rods
+status chain_measured(const command *cmd, const case_data *c, run_result *out); // after chain_rods
 // x and y of a tendon at s as its keys say; of a table what lies between its points.
 void chain_tendon_place(const tendon_spec *t, double s, double place[2]);
 // Of tendons and loads; rods has room for them.

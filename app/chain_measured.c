@@ -2,7 +2,9 @@
 // The rod's solutions against the shapes that were measured of them.
 #include "app/chain.h"
 #include "app/measured_case.h"
+#include "app/warnings.h"
 #include "base/memory.h"
+#include "reports/measured_show.h"
 
 #include <math.h>
 #include <string.h>
@@ -90,8 +92,69 @@ static void name_line(const rod_result *rod, const measured_shape *shape, measur
     }
 }
 
+// --- another solution that the line was perhaps measured of
+
+// A mistaken pair lies centimetres off; a model that misses, or close tensions, by less than this.
+#define FAR_OFF 0.02 // of the rod's length, rms
+#define FAR_NEARER 5
+
+// rms distance at the line's stations [m]; INFINITY where the two have nothing in common
+static status distance_from(const rod_result *rod, int solution, const measured_shape *shape,
+                            const shape_way *way, double *rms)
+{
+    status st = OK;
+    own_line m = {0};
+    centreline matched = {0};
+    double longer = 0, squares = 0;
+    bool tip = false;
+    int n = 0;
+    TRY(own_line_make(rod, &rod->run[solution], &m));
+    TRY(shape_match(&m.line, &shape->line, way, &matched, &tip, &longer));
+    for (int i = 0; i < matched.count && matched.s[i] <= m.line.s[m.line.count - 1]; i++) {
+        const vec3 d = vec3_sub(model_line_at(&m.line, matched.s[i]), matched.p[i]);
+        squares += vec3_dot(d, d);
+        n++;
+    }
+    *rms = n > 0 ? sqrt(squares / n) : INFINITY;
+
+done:
+    centreline_free(&matched);
+    own_line_free(&m);
+    return st;
+}
+
+// a line of a free turn may lie near to anything that is as bent
+static status find_better(const rod_result *rod, double length, const measured_shape *shape,
+                          const shape_way *way, measured_line *line)
+{
+    status st = OK;
+    double own = 0, best = INFINITY, other = 0;
+    line->better = -1;
+    line->better_rms = NAN;
+    if (line->turn_free || line->error.rms < FAR_OFF * length) {
+        return OK;
+    }
+    TRY(distance_from(rod, line->solution, shape, way, &own));
+    for (int i = 0; i < rod->nsolution; i++) {
+        TRY(distance_from(rod, i, shape, way, &other));
+        if (other < best && FAR_NEARER * other < own) {
+            best = other;
+            line->better = i;
+            line->better_rms = other;
+        }
+    }
+
+done:
+    return st;
+}
+
+static void without_uncertainty(shape_error *e)
+{
+    e->tip_sigma = e->tip_angle_sigma = e->shape_sigma = NAN;
+}
+
 static status compare_shape(const rod_result *rod, const measured_case *given,
-                            const measured_shape *shape, double window, measured_line *out)
+                            const measured_shape *shape, double length, measured_line *out)
 {
     status st = OK;
     own_line m = {0};
@@ -104,7 +167,12 @@ static status compare_shape(const rod_result *rod, const measured_case *given,
     TRY(shape_match(&m.line, &shape->line, &way, &matched, &out->tip, &longer));
     TRY(shape_error_find(&m.line, &matched, out->tip, &out->error));
     out->error.longer = longer;
-    TRY(fill_points(rod, &m, &matched, window, out));
+    out->turn_free = shape->line.turn_free;
+    if (out->turn_free) {
+        without_uncertainty(&out->error);
+    }
+    TRY(find_better(rod, length, shape, &way, out));
+    TRY(fill_points(rod, &m, &matched, BEND_WINDOW * length, out));
 
 done:
     centreline_free(&matched);
@@ -112,7 +180,17 @@ done:
     return st;
 }
 
-status chain_measured(const case_data *c, run_result *out)
+static void warn_line(const command *cmd, const case_data *c, mark at, const run_result *r,
+                      const measured_line *line)
+{
+    char words[MEASURED_NOTES];
+    measured_line_notes(r, line, words, sizeof words);
+    if (words[0]) {
+        warn_at(cmd, c, at, "%s: %s", line->name, words);
+    }
+}
+
+status chain_measured(const command *cmd, const case_data *c, run_result *out)
 {
     status st = OK;
     const measured_case *given = &c->file.measured;
@@ -127,8 +205,9 @@ status chain_measured(const case_data *c, run_result *out)
     TRY(TAKE(m->line, (size_t)given->shapes.count));
     for (int i = 0; i < given->shapes.count; i++) {
         m->nline = i + 1;
-        st = compare_shape(&out->rod, given, &shape[i], m->window, &m->line[i]);
+        st = compare_shape(&out->rod, given, &shape[i], out->rod_length, &m->line[i]);
         TRY(case_place(c, st, shape[i].at));
+        warn_line(cmd, c, shape[i].at, out, &m->line[i]);
     }
     out->has_measured = true;
 

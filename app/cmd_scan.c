@@ -3,6 +3,7 @@
 #include "app/answer.h"
 #include "app/command.h"
 #include "app/save.h"
+#include "base/memory.h"
 #include "io/config.h"
 #include "reports/scan_report.h"
 
@@ -46,7 +47,9 @@ typedef struct scan_job {
     command *cmd;
     config *config;
     scan_file file;
-    char path[PATH_MAX]; // of the cloud
+    char path[PATH_MAX];   // of the cloud
+    const char **override; // of --set, each with its `scan.` ...
+    char **prefixed;       // ... which was added to these
     const char *doing;
     int percent;
 } scan_job;
@@ -91,6 +94,42 @@ static status join_cloud(scan_job *job, bool settings)
     return OK;
 }
 
+// Without a file of settings all is about the scan: `radius_mm=4` is `scan.radius_mm=4`.
+static status add_prefix(scan_job *job)
+{
+    static const char *const whole[] = {"scan.", "scan=", "title=", "format="};
+    status st = OK;
+    const command *cmd = job->cmd;
+    TRY(TAKE(job->override, (size_t)cmd->noverride + 1));
+    TRY(TAKE(job->prefixed, (size_t)cmd->noverride + 1));
+    for (int i = 0; i < cmd->noverride; i++) {
+        const char *text = cmd->overrides[i];
+        bool is_whole = false;
+        for (int k = 0; k < 4; k++) {
+            is_whole = is_whole || strncmp(text, whole[k], strlen(whole[k])) == 0;
+        }
+        job->override[i] = text;
+        if (!is_whole) {
+            const size_t size = strlen(text) + sizeof "scan.";
+            TRY(TAKE(job->prefixed[i], size));
+            (void)snprintf(job->prefixed[i], size, "scan.%s", text);
+            job->override[i] = job->prefixed[i];
+        }
+    }
+
+done:
+    return st;
+}
+
+static void free_prefixed(scan_job *job)
+{
+    for (int i = 0; job->prefixed && i < job->cmd->noverride; i++) {
+        free(job->prefixed[i]);
+    }
+    free(job->prefixed);
+    free(job->override);
+}
+
 static status open_settings(scan_job *job)
 {
     status st = OK;
@@ -103,10 +142,11 @@ static status open_settings(scan_job *job)
                       .keys = file_keys,
                       .initial = &initial,
                       .about = "a scan"};
+    TRY(add_prefix(job));
     if (settings) {
-        TRY(config_open(cmd->argument, cmd->noverride, cmd->overrides, &job->config));
+        TRY(config_open(cmd->argument, cmd->noverride, job->override, &job->config));
     } else {
-        TRY(config_open_text(cmd->argument, "format: 1\nscan: {}\n", cmd->noverride, cmd->overrides,
+        TRY(config_open_text(cmd->argument, "format: 1\nscan: {}\n", cmd->noverride, job->override,
                              &job->config));
     }
     TRY(config_read(job->config, &root, &job->file));
@@ -179,6 +219,15 @@ done:
     return st;
 }
 
+static void warn_unit(const command *cmd, const char *path, const scan_result *r)
+{
+    char words[200];
+    if (scan_unit_doubt(r->line.radius, r->tube.length, r->cloud.unit, words, sizeof words)[0] &&
+        cmd->first_rank) {
+        fprintf(stderr, "%.300s: warning: %s\n", path, words);
+    }
+}
+
 status cmd_scan(command *cmd)
 {
     status st = OK;
@@ -191,6 +240,7 @@ status cmd_scan(command *cmd)
     command_progress(cmd, NULL);
     TRY(show(&job, &r));
     TRY(command_flush());
+    warn_unit(cmd, job.path, &r);
     if (cmd->out) {
         command_hint(cmd, "written: %s/centreline.csv, scan.png", cmd->out);
     } else {
@@ -200,5 +250,6 @@ status cmd_scan(command *cmd)
 done:
     scan_result_free(&r);
     config_free(job.config);
+    free_prefixed(&job);
     return st;
 }

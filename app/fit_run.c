@@ -2,6 +2,7 @@
 // The case's open numbers by its measured shapes.
 #include "app/chain.h"
 #include "app/variation.h"
+#include "app/warnings.h"
 #include "base/memory.h"
 
 #include <math.h>
@@ -65,11 +66,10 @@ done:
 // --- what is asked
 
 // whether the line ends at the rod's tip: by its length where nobody said so
-static bool ends_at_tip(const measured_shape *m, double length)
+static bool ends_at_tip(const measured_shape *m, bool rest, double length)
 {
-    const double end = m->line.s[m->line.count - 1];
-    return m->tip == TIP_MEASURED ||
-           (m->tip == TIP_BY_LENGTH && fabs(end / length - 1) <= SHAPE_TIP_SHARE);
+    const shape_way way = {rest ? ARCLENGTH_REST : ARCLENGTH_MEASURED, m->tip};
+    return shape_ends_at_tip(&way, m->line.s[m->line.count - 1], length);
 }
 
 // The lengths of the model's lines as the case stands [nshape].
@@ -90,7 +90,7 @@ static status find_tips(fitting *f)
             length += vec3_norm(vec3_sub(at[0].p, at[-1].p));
         }
         const bool rest = c->file.measured.arclength == ARCLENGTH_REST;
-        f->shape[k].to_tip = ends_at_tip(shape_of(c, k), rest ? c->file.rod.length : length);
+        f->shape[k].to_tip = ends_at_tip(shape_of(c, k), rest, rest ? c->file.rod.length : length);
     }
 
 done:
@@ -184,6 +184,7 @@ static status tell(const fitting *f, const fit_problem *problem, fit_answer *ans
     for (int k = 0; k < problem->nshape; k++) {
         (void)snprintf(r.shape[k].name, sizeof r.shape[k].name, "%s", problem->shape[k].name);
         r.shape[k].solution = f->solution[k];
+        r.shape[k].turn_free = shape_of(f->c, k)->line.turn_free;
     }
     r.answer = *answer;
     *answer = (fit_answer){0};
@@ -264,6 +265,19 @@ done:
     return st;
 }
 
+static void warn_turns(const fitting *f)
+{
+    for (int k = 0; k < f->nshape; k++) {
+        const measured_shape *m = shape_of(f->c, k);
+        if (m->line.turn_free) {
+            warn_at(f->cmd, f->c, m->at,
+                    "the scan %.200s is free in its turn about z: it does not tell in which "
+                    "direction the rod bends",
+                    m->csv.text);
+        }
+    }
+}
+
 status chain_fit(const command *cmd, const case_data *c, run_result *out)
 {
     status st = OK;
@@ -273,6 +287,7 @@ status chain_fit(const command *cmd, const case_data *c, run_result *out)
     command_progress(cmd, "fit");
     TRY(variation_open(c, out->has_section ? &out->section : NULL, &f.v));
     TRY(make_problem(&f, &problem));
+    warn_turns(&f);
     problem.nstart = useful_starts(&problem);
     TRY(case_place(c, shape_fit(&problem, &answer), c->file.fit.at));
     TRY(tell(&f, &problem, &answer, &out->fit));

@@ -50,6 +50,24 @@ static void print_shapes(const fit_result *f)
     }
 }
 
+static void print_bases(const fit_result *f)
+{
+    const double degree = acos(-1.0) / 180;
+    if (f->base == FIT_BASE_FIXED) {
+        return;
+    }
+    printf("%-32s %26s %26s\n", "off the model's base", "shifted, x y z mm", "turned, x y z deg");
+    for (int k = 0; k < f->answer.nshape; k++) {
+        const double *b = f->answer.match[k].base.a;
+        printf("%-32.60s %8.3f %8.3f %8.3f %8.3f %8.3f %8.3f%s\n", f->shape[k].name, 1e3 * b[0],
+               1e3 * b[1], 1e3 * b[2], b[3] / degree, b[4] / degree, b[5] / degree,
+               f->shape[k].turn_free ? " *" : "");
+    }
+    if (fit_turn_words(f)[0]) {
+        printf("%s\n", fit_turn_words(f));
+    }
+}
+
 static void print_grounds(const fit_result *f)
 {
     static const char *const bases[] = {"fixed", "one small motion for all", "a small motion each"};
@@ -109,5 +127,6 @@ void print_fit(const run_result *r)
     print_bounds(f);
     print_correlation(f);
     print_shapes(f);
+    print_bases(f);
     print_grounds(f);
 }

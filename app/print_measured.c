@@ -50,6 +50,18 @@ static void print_sentence(const char *words)
     }
 }
 
+static void print_notes(const run_result *r)
+{
+    char words[MEASURED_NOTES];
+    for (int i = 0; i < r->measured.nline; i++) {
+        const measured_line *line = &r->measured.line[i];
+        measured_line_notes(r, line, words, sizeof words);
+        if (words[0]) {
+            printf("%s: %s.\n", line->name, words);
+        }
+    }
+}
+
 void print_measured(const run_result *r)
 {
     measured_row rows[MEASURED_ROWS];
@@ -60,7 +72,11 @@ void print_measured(const run_result *r)
     }
     const int n = measured_rows(r, rows), ncolumn = measured_has_paper(r) ? COLUMNS : COLUMNS - 2;
     measured_data_words(r, words, sizeof words);
-    printf("%s: the rod's model against them: %s\n", measured_word(r), r->title);
+    if (r->measured.nline > 0) {
+        printf("%s: the rod's model against them: %s\n", measured_word(r), r->title);
+    } else {
+        printf("the paper's errors for its own shapes: %s\n", r->title);
+    }
     for (int i = -2; i < n; i++) {
         const int line = i + 2;
         const measured_cells c =
@@ -77,6 +93,7 @@ void print_measured(const run_result *r)
         const measured_cells c = measured_cells_of(r, &rows[i], " +- ");
         print_line(ncolumn, width, row_cell, &c);
     }
+    print_notes(r);
     print_sentence(words);
     print_sentence(measured_paper_words(r));
 }

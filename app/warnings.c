@@ -21,10 +21,7 @@ static const double SHORTEST_FREE_MIDDLE = 4;
 // likely meant in another unit.
 static const double HARDLY_GRADED = 1e-2;
 
-static void warn_at(const command *cmd, const case_data *c, mark at, const char *format, ...)
-    __attribute__((format(printf, 4, 5)));
-
-static void warn_at(const command *cmd, const case_data *c, mark at, const char *format, ...)
+void warn_at(const command *cmd, const case_data *c, mark at, const char *format, ...)
 {
     char where[CONFIG_PLACE_TEXT];
     if (!cmd->first_rank) {

@@ -6,6 +6,9 @@
 #include "app/case.h"
 #include "app/command.h"
 
+void warn_at(const command *cmd, const case_data *c, mark at, const char *format, ...)
+    __attribute__((format(printf, 4, 5)));
+
 // A modulus over x or y that hardly changes over the section: its x and y are metres.
 status warn_materials(const command *cmd, const case_data *c);
 

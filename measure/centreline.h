@@ -5,15 +5,18 @@
 #include "base/se3.h"
 #include "base/status.h"
 
+#include <stdbool.h>
+
 typedef struct centreline {
     int count;
     double *s;     // [count] arclength from the base [m], ascending from 0
     vec3 *p;       // [count] [m]
     double *sigma; // [count] standard deviation of the place across the line [m]; NAN: unknown
-    double *own;   // [count] the part of sigma that does not move the whole line, as an error of its
-                   // registration does [m]; NAN: unknown
-    double radius; // of the tube [m]; NAN: unknown
-    double radius_sigma;       // [m]
+    double *own; // [count] the part of sigma that does not move the whole line, as an error of its
+                 // registration does [m]; NAN: unknown
+    double radius;       // of the tube [m]; NAN: unknown
+    double radius_sigma; // [m]
+    bool turn_free;      // of the frame: nothing told how the body stood turned about its own z
     double correlation_length; // over which errors along the line go together [m]; NAN: unknown
 } centreline;
 

@@ -89,14 +89,27 @@ static int base_of(const fit *f, int shape)
     return f->nfree + 6 * (f->nbase > 1 ? shape : 0);
 }
 
+// How far off the base may be turned about one axis, one standard deviation. Where a scan had no
+// mark its turn about z may be any: that of angles spread evenly over the circle.
+static double turn_sigma(const fit *f, int shape, int axis)
+{
+    static const double any = 1.8137993642342178; // pi / sqrt(3)
+    const bool is_free = axis == 2 && f->nbase > 1 && f->problem->shape[shape].line->turn_free;
+    return is_free ? any : f->problem->base_turn;
+}
+
 pose fit_base_pose(const fit *f, const double *z, int shape)
 {
     pose g = pose_identity();
     if (f->nbase > 0) {
         const double *b = z + base_of(f, shape);
-        const double shift = f->problem->base_shift, turn = f->problem->base_turn;
+        const double shift = f->problem->base_shift;
         g.p = (vec3){{shift * b[0], shift * b[1], shift * b[2]}};
-        g.R = so3_exp((vec3){{turn * b[3], turn * b[4], turn * b[5]}});
+        vec3 turn;
+        for (int k = 0; k < 3; k++) {
+            turn.a[k] = turn_sigma(f, shape, k) * b[3 + k];
+        }
+        g.R = so3_exp(turn);
     }
     return g;
 }
@@ -137,7 +150,7 @@ static void station_row(const fit *f, int station, const pose *g, const double *
         for (int k = 0; k < 3 && f->nbase > 0; k++) {
             double *base = row + base_of(f, t->shape);
             base[k] = weight * f->problem->base_shift * t->across[c].a[k];
-            base[3 + k] = weight * f->problem->base_turn * lever.a[k];
+            base[3 + k] = weight * turn_sigma(f, t->shape, k) * lever.a[k];
         }
     }
 }

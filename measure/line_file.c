@@ -13,6 +13,7 @@
 // than this share of its length
 #define MOST_CHORD 1.5
 #define LEAST_CHORD 0.005
+#define MOST_CORRELATION 1e3 // [m], as the case's own key has it
 
 static const char *const sigma_names = "sigma|standard_deviation|uncertainty";
 static const char *const own_sigma_names = "fit_sigma"; // a scan's, without that of its frame
@@ -115,6 +116,22 @@ static status check_places(const table *t, const centreline *c)
     return OK;
 }
 
+static status take_notes(const table *t, centreline *c)
+{
+    status st = OK;
+    double length = 0;
+    bool found = false;
+    c->turn_free = table_says(t, LINE_TURN_FREE);
+    TRY(table_note(t, "correlation_length", DIM_LENGTH, &length, &found));
+    if (found && !(length > 0 && length < MOST_CORRELATION)) {
+        TRY(table_fail(t, -1, "the correlation length %g mm is none", 1e3 * length));
+    }
+    c->correlation_length = found ? length : NAN;
+
+done:
+    return st;
+}
+
 status line_file_read(const char *directory, const key_text *name, double length, centreline *out,
                       bool *synthetic)
 {
@@ -136,6 +153,7 @@ status line_file_read(const char *directory, const key_text *name, double length
     TRY(take_places(&t, &c));
     TRY(take_sigma(&t, sigma_names, c.count, c.sigma));
     TRY(take_sigma(&t, own_sigma_names, c.count, c.own));
+    TRY(take_notes(&t, &c));
     TRY(check_arclength(&t, &c, length));
     TRY(check_places(&t, &c));
     *synthetic = *synthetic || table_says(&t, "synthetic");

@@ -40,8 +40,8 @@ static const key shape_key_list[] = {
      .choices = "by_length|measured|not_measured",
      .initial = "by_length",
      .offset = offsetof(measured_shape, tip),
-     .about = "whether the line ends at the rod's tip; by_length: where it is as long as the model "
-              "to 2 % of the length"},
+     .about = "whether the line ends at the rod's tip; by_length: where it is not shorter "
+              "than the model by more than 2 % of the length, nor longer by 10 %"},
 };
 
 static const key_table shape_keys = {
@@ -89,7 +89,8 @@ static const key measured_key_list[] = {
      .max = 1e3,
      .offset = offsetof(measured_case, correlation),
      .about =
-         "along the line, over which measuring errors go together; 0: every place has its own"},
+         "along the line, over which measuring errors go together; 0: what the file says (a scan's "
+         "does), else every place has its own"},
     {.name = "tolerance",
      .kind = KEY_REAL,
      .min = 0,
@@ -120,7 +121,9 @@ status measured_case_read(measured_case *c, const char *directory, double length
         centreline *line = &shape[i].line;
         *where = shape[i].csv.at;
         TRY(line_file_read(directory, &shape[i].csv, length, line, &c->synthetic));
-        line->correlation_length = c->correlation > 0 ? c->correlation : NAN;
+        if (c->correlation > 0) {
+            line->correlation_length = c->correlation;
+        }
         for (int k = 0; k < line->count; k++) {
             line->sigma[k] = isnan(line->sigma[k]) && c->sigma > 0 ? c->sigma : line->sigma[k];
         }

@@ -27,8 +27,8 @@ typedef struct measured_case {
     int paper;          // measured_paper: whose published errors stand beside
     int arclength;      // shape_arclength
     double sigma;       // where a file has none [m]; 0: unknown
-    double correlation; // length over which errors go together [m]; 0: from station to station
-                        // they do not
+    double correlation; // length over which errors go together [m]; 0: as a file says, else
+                        // from station to station they do not
     double tolerance;   // of tip error over length and of shape error; 0: no verdict
     key_list shapes;    // of measured_shape
 } measured_case;

@@ -66,11 +66,11 @@ static double unloaded_arclength(const model_line *m, double sigma)
            t * (1 - t) * ((1 - t) * leave - t * arrive);
 }
 
-static bool ends_at_tip(const shape_way *way, double end, double length)
+bool shape_ends_at_tip(const shape_way *way, double end, double length)
 {
     const double share = way->arclength == ARCLENGTH_REST ? SHAPE_REST_SHARE : SHAPE_TIP_SHARE;
     const double longest =
-        way->arclength == ARCLENGTH_REST ? INFINITY : length * (1 + SHAPE_TIP_SHARE);
+        way->arclength == ARCLENGTH_REST ? INFINITY : length * (1 + SHAPE_TIP_LONGER);
     return way->tip == TIP_MEASURED ||
            (way->tip == TIP_BY_LENGTH && end >= length * (1 - share) && end <= longest);
 }
@@ -83,7 +83,7 @@ status shape_match(const model_line *m, const centreline *measured, const shape_
     const bool rest = way->arclength == ARCLENGTH_REST;
     const double end = measured->s[measured->count - 1];
     const double length = rest ? m->s[m->count - 1] : m->along[m->count - 1];
-    *tip = ends_at_tip(way, end, length);
+    *tip = shape_ends_at_tip(way, end, length);
     *longer = end - length;
     const double scale = *tip ? length / end : 1; // tip to tip
     TRY(centreline_make(measured->count, &c));

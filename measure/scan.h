@@ -53,6 +53,10 @@ extern const key_table scan_keys;
 double scan_unit(int unit); // [m]; NAN for -1
 const char *scan_unit_name(double metres);
 
+// Words about a body that no soft robot is, with the unit that would make it one; "" for others.
+// unit: in which it was read [m].
+const char *scan_unit_doubt(double radius, double length, double unit, char *words, size_t size);
+
 // What the rod's frame stands on.
 typedef enum scan_frame { SCAN_BY_FIDUCIALS, SCAN_BY_PLATE, SCAN_BY_BODY } scan_frame;
 

@@ -63,6 +63,25 @@ static const char *better_unit(double size, double unit, double expected)
     return scan_unit_name(scan_unit(best));
 }
 
+const char *scan_unit_doubt(double radius, double length, double unit, char *words, size_t size)
+{
+    // The thinnest steered tubes are a tenth of a mm in radius and some mm long, the largest arms a
+    // few dm and some metres; the usual one is taken for what fits a bench.
+    static const double LEAST_RADIUS = 0.05e-3, MOST_RADIUS = 1, USUAL_RADIUS = 5e-3;
+    static const double LEAST_LENGTH = 1e-3, MOST_LENGTH = 20;
+    const bool radius_odd = radius < LEAST_RADIUS || radius > MOST_RADIUS;
+    const bool length_odd = length < LEAST_LENGTH || length > MOST_LENGTH;
+    words[0] = '\0';
+    if (radius_odd || length_odd) {
+        const char *better = better_unit(radius, unit, USUAL_RADIUS);
+        (void)snprintf(words, size,
+                       "a body of %.3g mm radius and %.3g mm length, read in %s: is its unit right "
+                       "(scan.unit)? perhaps it is in %s",
+                       1e3 * radius, 1e3 * length, scan_unit_name(unit), better);
+    }
+    return words;
+}
+
 status scan_check_unit(const point_cloud *cloud, const char *name, double unit,
                        const scan_settings *settings)
 {

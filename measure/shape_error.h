@@ -31,12 +31,16 @@ typedef enum shape_arclength {
     ARCLENGTH_REST,     // the unloaded rod already
 } shape_arclength;
 
-// Whether a measured line ends at the rod's tip: where its length says so, or as told.
+// Whether a measured line ends at the rod's tip: where its length says so, or as
+// told.
 typedef enum shape_tip { TIP_BY_LENGTH, TIP_MEASURED, TIP_NOT_MEASURED } shape_tip;
 
 // A line as long as the model's to this share of the length ends at the tip: the model's own
 // stretch is some per cent, and seldom wrong by half of it.
 #define SHAPE_TIP_SHARE 0.02
+// One that is longer has the tip too: the body ends where it ends, and the model is short. By more
+// than this it hardly is the same rod.
+#define SHAPE_TIP_LONGER 0.1
 // Of an arclength that is told to be the rod's own, rounding and a scanner's last step.
 #define SHAPE_REST_SHARE 1e-3
 
@@ -44,6 +48,10 @@ typedef struct shape_way {
     int arclength; // shape_arclength
     int tip;       // shape_tip
 } shape_way;
+
+// Whether a measured line that ends at `end` ends at the tip of a model of this length; both along
+// what way->arclength says.
+bool shape_ends_at_tip(const shape_way *way, double end, double length);
 
 // The measured line over the arclength of the unloaded rod. *tip: whether it ends at the tip;
 // *longer: how much longer it is than the model's [m].

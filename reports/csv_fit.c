@@ -52,11 +52,27 @@ static status write_residuals(const fit_result *f, const char *dir)
     return st == OK ? csv_close(c) : st;
 }
 
+static status write_bases(const fit_result *f, const char *dir)
+{
+    csv *c = NULL;
+    csv_header h = {0};
+    csv_add_all(&h, "shape turn_about_z shift_x_m shift_y_m shift_z_m turn_x_rad turn_y_rad "
+                    "turn_z_rad");
+    const status st = csv_table(dir, "fit_bases.csv", &h, &c);
+    for (int k = 0; st == OK && k < f->answer.nshape; k++) {
+        csv_text(c, f->shape[k].name);
+        csv_text(c, f->shape[k].turn_free ? "free" : "known");
+        csv_reals(c, 6, f->answer.match[k].base.a);
+    }
+    return st == OK ? csv_close(c) : st;
+}
+
 status csv_fit(const fit_result *f, const char *dir)
 {
     status st = OK;
     TRY(write_parameters(f, dir));
     TRY(write_residuals(f, dir));
+    TRY(f->base != FIT_BASE_FIXED ? write_bases(f, dir) : OK);
 
 done:
     return st;

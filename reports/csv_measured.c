@@ -5,6 +5,7 @@
 #include "reports/measured_show.h"
 
 #include <math.h>
+#include <stdio.h>
 
 static void write_errors(csv *c, const run_result *r, const measured_line *line)
 {
@@ -39,6 +40,20 @@ static void write_errors(csv *c, const run_result *r, const measured_line *line)
     csv_reals(c, (int)(sizeof values / sizeof *values), values);
 }
 
+static void write_doubts(csv *c, const run_result *r, const measured_line *line)
+{
+    char words[MEASURED_NOTES] = "", better[16] = "";
+    if (line) {
+        measured_line_notes(r, line, words, sizeof words);
+    }
+    if (line && line->better >= 0) {
+        (void)snprintf(better, sizeof better, "%d", line->better + 1);
+    }
+    csv_text(c, !line ? "" : line->turn_free ? "free" : "known");
+    csv_text(c, better);
+    csv_text(c, words);
+}
+
 static const char *kind_of(const run_result *r, const measured_line *line)
 {
     return !line ? "not published" : r->measured.synthetic ? "synthetic" : "measured";
@@ -50,7 +65,8 @@ static status write_rows(const run_result *r, const char *dir)
     csv_header h = {0};
     measured_row rows[MEASURED_ROWS];
     const int n = measured_rows(r, rows);
-    csv_add_all(&h, "name data file solution_count tendon tension_N tip_error_m "
+    csv_add_all(&h, "name data file turn_about_z nearer_solution notes solution_count tendon "
+                    "tension_N tip_error_m "
                     "tip_error_sigma_m tip_error_of_length_ratio tip_angle_rad "
                     "tip_angle_sigma_rad shape_error_ratio "
                     "shape_error_sigma_ratio mean_distance_m rms_distance_m largest_distance_m "
@@ -63,6 +79,7 @@ static status write_rows(const run_result *r, const char *dir)
         csv_text(c, cells.name);
         csv_text(c, kind_of(r, rows[i].line));
         csv_text(c, rows[i].line ? rows[i].line->file : "");
+        write_doubts(c, r, rows[i].line);
         csv_real(c, rows[i].solution + 1);
         csv_text(c, cells.tendon);
         csv_text(c, cells.tension);

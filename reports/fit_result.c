@@ -29,6 +29,20 @@ void fit_result_free(fit_result *f)
     *f = (fit_result){0};
 }
 
+const char *fit_turn_words(const fit_result *f)
+{
+    bool any = false;
+    for (int k = 0; k < f->answer.nshape; k++) {
+        any = any || f->shape[k].turn_free;
+    }
+    return !any ? ""
+           : f->base == FIT_BASE_EACH
+               ? "* its scan is free in its turn about z: that turn is found with no idea of it "
+                 "beforehand, so the shape tells how much the rod bends, not in which direction"
+               : "* its scan is free in its turn about z, and the fit takes its direction for "
+                 "known: a mark or fiducials in the scan, or `base: each`, mend that";
+}
+
 int fit_decimals(double error)
 {
     const int decimals = error > 0 && isfinite(error) ? (int)ceil(1 - log10(error)) : 6;

@@ -16,7 +16,8 @@ typedef struct fit_parameter_told {
 
 typedef struct fit_shape_told {
     char name[FIT_NAME];
-    int solution; // of the rod's, from 0
+    int solution;  // of the rod's, from 0
+    int turn_free; // 1: its scan is free in its turn about z
 } fit_shape_told;
 
 typedef struct fit_result {
@@ -36,6 +37,9 @@ void fit_result_free(fit_result *f);
 
 // "tendon radius = 3.62 ± 0.03 mm, friction = 0.21 ± 0.02"
 const char *fit_result_words(const fit_result *f, char *words, size_t room);
+
+// What is to be said of the shapes whose scan is free in its turn about z; "" where none is.
+const char *fit_turn_words(const fit_result *f);
 
 // Digits of a value that its standard error leaves standing: two of the error.
 int fit_decimals(double error);

@@ -35,6 +35,7 @@ static void write_shape(json *j, const fit_result *f, int k)
     json_object(j, NULL);
     json_text(j, "name", f->shape[k].name);
     json_integer(j, "solution", f->shape[k].solution + 1);
+    json_flag(j, "turn_free", f->shape[k].turn_free != 0);
     json_real(j, "rms_before_m", m->rms[0]);
     json_real(j, "rms_after_m", m->rms[1]);
     json_real(j, "tip_before_m", m->tip[0]);

@@ -23,6 +23,13 @@ static void write_errors(json *j, const run_result *r, const measured_line *line
 {
     const shape_error *e = &line->error;
     json_flag(j, "tip_measured", line->tip);
+    json_flag(j, "turn_free", line->turn_free);
+    if (line->better >= 0) {
+        json_integer(j, "nearer_solution", line->better + 1);
+        json_real(j, "nearer_solution_rms_distance_m", line->better_rms);
+    } else {
+        json_null(j, "nearer_solution");
+    }
     json_real(j, "from_m", e->from);
     json_real(j, "to_m", e->to);
     json_real(j, "longer_than_model_m", e->longer);
@@ -64,6 +71,9 @@ static void write_row(json *j, const run_result *r, const measured_row *row)
     json_integer(j, "solution", row->solution + 1);
     json_reals(j, "tensions_N", r->rod.ntendon, run->tension);
     if (row->line) {
+        char words[MEASURED_NOTES];
+        measured_line_notes(r, row->line, words, sizeof words);
+        json_text(j, "notes", words);
         json_text(j, "name", row->line->name);
         json_text(j, "file", row->line->file);
         json_flag(j, "synthetic", r->measured.synthetic);

@@ -10,8 +10,11 @@ enum { MEASURED_NAME = 96, MEASURED_SOURCE = 240 };
 // One measured shape, over the arclength of the unloaded rod, in the frame of its base.
 typedef struct measured_line {
     char name[MEASURED_NAME], file[MEASURED_NAME];
-    int solution; // of the rod, from 0
-    bool tip;     // the line ends at the tip
+    int solution;      // of the rod, from 0
+    bool tip;          // the line ends at the tip
+    bool turn_free;    // its frame is free in its turn about z: distances depend on a choice
+    int better;        // the solution that it lies far nearer to, from 0; -1: none
+    double better_rms; // its rms distance [m]; NAN
     shape_error error;
     int npoint;
     double *s, *sigma;  // [npoint] [m]; sigma NAN: unknown

@@ -4,6 +4,7 @@
 #include "reports/figure_kit.h"
 
 #include <math.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -77,23 +78,33 @@ static void with_sigma(char *cell, double value, double sigma, const char *plus_
     }
 }
 
+static void add_mark(char *cell, const char *mark)
+{
+    const size_t used = strlen(cell);
+    (void)snprintf(cell + used, MEASURED_CELL - used, "%s", mark);
+}
+
 static void error_cells(const run_result *r, const measured_line *line, const char *plus_minus,
                         measured_cells *c)
 {
     const shape_error *e = &line->error;
+    const char *mark = line->turn_free ? " *" : "";
     if (isnan(e->tip)) {
         (void)snprintf(c->tip, sizeof c->tip, "not measured");
         (void)snprintf(c->angle, sizeof c->angle, "-");
     } else {
         with_sigma(c->tip, 1e3 * e->tip, 1e3 * e->tip_sigma, plus_minus);
         const size_t used = strlen(c->tip);
-        (void)snprintf(c->tip + used, sizeof c->tip - used, " (%.1f)",
-                       100 * e->tip / r->rod_length);
+        (void)snprintf(c->tip + used, sizeof c->tip - used, " (%.1f)%s",
+                       100 * e->tip / r->rod_length, mark);
         with_sigma(c->angle, degrees * e->tip_angle, degrees * e->tip_angle_sigma, plus_minus);
+        add_mark(c->angle, mark);
     }
     with_sigma(c->shape, 100 * e->shape, 100 * e->shape_sigma, plus_minus);
-    (void)snprintf(c->rms, sizeof c->rms, "%.2f", 1e3 * e->rms);
-    (void)snprintf(c->largest, sizeof c->largest, "%.2f at %.1f", 1e3 * e->largest, 1e3 * e->at);
+    add_mark(c->shape, mark);
+    (void)snprintf(c->rms, sizeof c->rms, "%.2f%s", 1e3 * e->rms, mark);
+    (void)snprintf(c->largest, sizeof c->largest, "%.2f at %.1f%s", 1e3 * e->largest, 1e3 * e->at,
+                   mark);
 }
 
 measured_cells measured_cells_of(const run_result *r, const measured_row *row,
@@ -122,7 +133,9 @@ measured_cells measured_cells_of(const run_result *r, const measured_row *row,
 
 const char *measured_word(const run_result *r)
 {
-    return r->measured.synthetic ? "synthetic shapes" : "measured shapes";
+    return r->measured.nline == 0  ? "the paper's shapes"
+           : r->measured.synthetic ? "synthetic shapes"
+                                   : "measured shapes";
 }
 
 void measured_data_words(const run_result *r, char *text, size_t size)
@@ -136,6 +149,54 @@ void measured_data_words(const run_result *r, char *text, size_t size)
     } else {
         (void)snprintf(text, size, "Measured%s%s",
                        m->source[0] ? ": " : "; the case names no source", m->source);
+    }
+}
+
+// the model's own stretch and a scanner's last step stay below this share of the length
+#define WORTH_TELLING 0.02
+
+static void add_words(char *text, size_t size, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+
+static void add_words(char *text, size_t size, const char *format, ...)
+{
+    const size_t used = strlen(text);
+    va_list args;
+    va_start(args, format);
+    if (used + 3 < size) {
+        const size_t joint = used > 0 ? 2 : 0;
+        memcpy(text + used, "; ", joint + 1);
+        text[used + joint] = '\0';
+        (void)vsnprintf(text + used + joint, size - used - joint, format, args);
+    }
+    va_end(args);
+}
+
+void measured_line_notes(const run_result *r, const measured_line *line, char *text, size_t size)
+{
+    const shape_error *e = &line->error;
+    text[0] = '\0';
+    if (line->turn_free) {
+        add_words(
+            text, size,
+            "its scan is free in its turn about z, so how far and where it lies off the model "
+            "(*) depends on the scan's own x, and no uncertainty is told; a mark or fiducials "
+            "in the scan fix it");
+    }
+    if (e->longer > WORTH_TELLING * r->rod_length) {
+        add_words(text, size, "longer than the model by %.1f mm; %s", 1e3 * e->longer,
+                  line->tip ? "tip error from tip to tip (`tip: not_measured` where it is not the "
+                              "tip where it ends)"
+                            : "what lies beyond the model is not compared");
+    }
+    if (line->better >= 0) {
+        measured_cells c = {.name = ""};
+        tendon_cells(&r->rod, &r->rod.run[line->better], &c);
+        add_words(text, size,
+                  "it lies far nearer to solution %d (%s at %s N): rms %.2f mm instead of %.2f mm; "
+                  "perhaps it is paired with the wrong "
+                  "tensions",
+                  line->better + 1, c.tendon, c.tension, 1e3 * line->better_rms, 1e3 * e->rms);
     }
 }
 

@@ -38,9 +38,12 @@ measured_cells measured_cells_of(const run_result *r, const measured_row *row,
 
 bool measured_has_paper(const run_result *r); // any row with errors of the paper
 
-// "synthetic shapes" or "measured shapes".
+// "synthetic shapes" or "measured shapes"; "the paper's own errors" where the case has none.
 const char *measured_word(const run_result *r);
 // What the data is, in one sentence: "SYNTHETIC data, not from a bench: made by ...".
 void measured_data_words(const run_result *r, char *text, size_t size);
+// What is to be said of one shape before its numbers are believed; "" where there is nothing.
+void measured_line_notes(const run_result *r, const measured_line *line, char *text, size_t size);
+enum { MEASURED_NOTES = 600 };
 // What the paper's columns are; "" where there are none.
 const char *measured_paper_words(const run_result *r);

@@ -101,6 +101,38 @@ done:
     return st;
 }
 
+static status base_table(bytes *page, const fit_result *f)
+{
+    status st = OK;
+    if (f->base == FIT_BASE_FIXED) {
+        return OK;
+    }
+    PAGE("<h3>How the shapes lie off the model's base</h3>\n<div class=\"scroll\"><table>\n<thead>"
+         "<tr><th class=\"text\">measured shape</th>");
+    for (int i = 0; i < 6; i++) {
+        PAGE("<th>%s %c<small>%s</small></th>", i < 3 ? "shift" : "turn", "xyz"[i % 3],
+             i < 3 ? "mm" : "deg");
+    }
+    PAGE("</tr></thead>\n<tbody>\n");
+    for (int k = 0; k < f->answer.nshape; k++) {
+        PAGE("<tr><td class=\"text\">");
+        TRY(page_escaped(page, f->shape[k].name));
+        PAGE("%s</td>", f->shape[k].turn_free ? " *" : "");
+        for (int i = 0; i < 6; i++) {
+            const double unit = i < 3 ? 1e3 : 180 / acos(-1.0);
+            PAGE("<td>%s</td>", number_fixed(unit * f->answer.match[k].base.a[i], 3).text);
+        }
+        PAGE("</tr>\n");
+    }
+    PAGE("</tbody></table></div>\n");
+    if (fit_turn_words(f)[0]) {
+        PAGE("<p class=\"note warn\">%s.</p>\n", fit_turn_words(f));
+    }
+
+done:
+    return st;
+}
+
 static status grounds(bytes *page, const fit_result *f)
 {
     status st = OK;
@@ -163,6 +195,7 @@ status page_fit(bytes *page, const run_result *r, const char *dir)
                     "fitted numbers the shapes allow."));
     TRY(correlation_table(page, f));
     TRY(shape_table(page, f));
+    TRY(base_table(page, f));
     TRY(grounds(page, f));
 
 done:

@@ -40,6 +40,25 @@ done:
     return st;
 }
 
+static status doubts(bytes *page, const run_result *r)
+{
+    status st = OK;
+    char words[MEASURED_NOTES];
+    for (int i = 0; i < r->measured.nline; i++) {
+        measured_line_notes(r, &r->measured.line[i], words, sizeof words);
+        if (words[0]) {
+            PAGE("<p class=\"note warn\">");
+            TRY(page_escaped(page, r->measured.line[i].name));
+            PAGE(": ");
+            TRY(page_escaped(page, words));
+            PAGE(".</p>\n");
+        }
+    }
+
+done:
+    return st;
+}
+
 static status table(bytes *page, const run_result *r)
 {
     status st = OK;
@@ -53,6 +72,7 @@ static status table(bytes *page, const run_result *r)
         TRY(row(page, r, &rows[i], paper));
     }
     PAGE("</tbody></table></div>\n");
+    TRY(doubts(page, r));
     if (paper) {
         PAGE("<p class=\"note\">%s.</p>\n", measured_paper_words(r));
     }

@@ -1,6 +1,7 @@
 // reports/scan_files.c
 // What --out of a scan keeps.
 #include "io/csv.h"
+#include "measure/line_file.h"
 #include "reports/csv_kit.h"
 #include "reports/scan_report.h"
 
@@ -22,14 +23,31 @@ static status close_file(FILE *f, const char *path)
                : status_fail(ERR_RESOURCE, "%s: cannot write it: %s", path, strerror(errno));
 }
 
+// what reads it as a shape says so too
+static void write_notes(const scan_result *r, csv *c)
+{
+    char words[80];
+    if (r->synthetic) {
+        csv_remark(c, "SYNTHETIC: made, not measured");
+    }
+    if (r->turn_free) {
+        csv_remark(c, "the frame is " LINE_TURN_FREE);
+    }
+    if (r->line.correlation_length > 0) {
+        (void)snprintf(words, sizeof words, "correlation_length_mm: %.4g",
+                       1e3 * r->line.correlation_length);
+        csv_remark(c, words);
+    }
+}
+
 static status write_csv(const scan_result *r, const char *dir)
 {
     csv *c = NULL;
     csv_header h = {0};
     csv_add_all(&h, "s_mm x_mm y_mm z_mm sigma_mm fit_sigma_mm");
     const status st = csv_table(dir, "centreline.csv", &h, &c);
-    if (st == OK && r->synthetic) {
-        csv_remark(c, "SYNTHETIC: made, not measured"); // what reads it as a shape says so too
+    if (st == OK) {
+        write_notes(r, c);
     }
     for (int i = 0; st == OK && i < r->line.count; i++) {
         csv_real(c, 1e3 * r->line.s[i]);

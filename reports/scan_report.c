@@ -89,6 +89,11 @@ static void print_body(const scan_result *r, FILE *f)
     }
 }
 
+static const char *unit_doubt(const scan_result *r, char *words, size_t size)
+{
+    return scan_unit_doubt(r->line.radius, r->tube.length, r->cloud.unit, words, size);
+}
+
 static void print_frame(const scan_result *r, FILE *f)
 {
     const mat6 *c = &r->place.covariance;
@@ -118,6 +123,10 @@ void scan_print(const scan_result *r, const char *name, FILE *f)
     const double worst = scan_worst_sigma(r, &at);
     print_cloud(r, name, f);
     print_body(r, f);
+    char words[200];
+    if (unit_doubt(r, words, sizeof words)[0]) {
+        fprintf(f, "DOUBT    %s\n", words);
+    }
     print_frame(r, f);
     fprintf(f, "line     %d points, sigma %.4f mm (rms), at most %.4f mm at s = %.1f mm\n",
             c->count, 1e3 * middle_sigma(r), 1e3 * worst, 1e3 * at);
@@ -137,6 +146,8 @@ static void json_body(json *j, const scan_result *r)
     json_real(j, "radius_of_points_m", t->radius_free);
     json_real(j, "radius_of_points_sigma_m", t->radius_free_sigma);
     json_flag(j, "radius_differs", t->radius_differs);
+    char words[200];
+    json_text(j, "unit_doubt", unit_doubt(r, words, sizeof words));
     json_real(j, "length_m", t->length);
     json_real(j, "length_sigma_m", t->length_sigma);
     json_text(j, "tip", tips[t->tip]);

@@ -99,6 +99,7 @@ static status pass_shape(const passage *p, const char *group, fit_shape_told *to
     int n = m->nstation;
     TRY(passage_words(p, passage_join(group, "name").text, told->name, sizeof told->name));
     TRY(passage_count(p, passage_join(group, "solution").text, 0, MOST_SOLUTIONS, &told->solution));
+    TRY(passage_count(p, passage_join(group, "turn_free").text, 0, 1, &told->turn_free));
     TRY(passage_count(p, passage_join(group, "station_count").text, 1, MOST_POINTS, &n));
     TRY(p->reading ? fit_match_make(n, m) : OK);
     TRY(passage_columns(p, group, COUNT_OF(columns), columns, single(m)));

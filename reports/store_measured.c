@@ -14,6 +14,8 @@ static status pass_errors(const passage *p, measured_result *m)
         {"name", COLUMN_TEXT, "-", LINE(name), 0, {MEASURED_NAME}, 0},
         {"file", COLUMN_TEXT, "-", LINE(file), 0, {MEASURED_NAME}, 0},
         {"tip_measured", COLUMN_FLAG, "-", LINE(tip), 0, {0}, 0},
+        {"turn_free", COLUMN_FLAG, "-", LINE(turn_free), 0, {0}, 0},
+        {"better_rms_m", COLUMN_KNOWN, "m", LINE(better_rms), 0, {0}, 0},
         {"from_m", COLUMN_REAL, "m", ERROR_OF(from), 0, {0}, 0},
         {"to_m", COLUMN_REAL, "m", ERROR_OF(to), 0, {0}, 0},
         {"longer_m", COLUMN_REAL, "m", ERROR_OF(longer), 0, {0}, 0},
@@ -47,7 +49,10 @@ static status pass_points(const passage *p, int i, int nsolution, measured_line 
     (void)snprintf(group, sizeof group, "measured/shape/%d", i);
     const passage_name count = passage_join(group, "point_count");
     const passage_name solution = passage_join(group, "solution");
+    int better = line->better + 1; // 0: none
     TRY(passage_count(p, solution.text, 0, nsolution - 1, &line->solution));
+    TRY(passage_count(p, passage_join(group, "better_solution").text, 0, nsolution, &better));
+    line->better = better - 1;
     TRY(passage_count(p, count.text, 2, MOST_LINE_POINTS, &n));
     TRY(p->reading ? measured_line_room(line, n) : OK);
     TRY(passage_columns(p, group, 1, &s, rows_of(line->s, n, sizeof *line->s)));

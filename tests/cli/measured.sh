@@ -129,6 +129,27 @@ printf 's_mm,x_mm,y_mm,z_mm\n10,0,0,10\n30,1,0,30\n60,8,0,59\n' >"$work/line.csv
 expect 0 alone compare "$work/rod.yaml"
 out 'not measured'
 
+# what is to be doubted is said on stderr and in the table: a free turn, a line longer than the model, another solution's line
+printf 's_mm,x_mm,y_mm,z_mm,sigma_mm\n# the frame is free in its turn about z\n# correlation_length_mm: 5\n' >"$work/line.csv"
+printf '0,0,0,0,0.1\n60,8,0,59,0.1\n117.8,31,0,112.5,0.1\n' >>"$work/line.csv"
+expect 0 alone compare "$work/rod.yaml"
+err 'warning: first: its scan is free in its turn about z'
+out 'first: its scan is free in its turn about z'
+! grep -q 'first .*+-' "$work/out" || fail 'an uncertainty of a direction that nobody knows'
+expect 0 alone compare "$work/rod.yaml" --json
+valid_json "$work/out"
+grep -q '"turn_free": true' "$work/out" || fail 'no turn_free in the JSON'
+cp "$cases"/helical_nc_*.csv "$work"
+sed 's/csv: helical_nc_1.96N.csv/csv: helical_nc_0.49N.csv/' "$cases/helical_nc_measured.yaml" >"$work/wrong.yaml"
+expect 0 alone compare "$work/wrong.yaml"
+err 'longer than the model by 5.1 mm'
+err 'far nearer to solution 1 (t1 at 0.49 N)'
+out '1.96 N: longer than the model by 5.1 mm'
+[ "$(grep -c warning "$work/err")" = 1 ] || fail 'doubts of shapes that are well'
+# no shapes of its own: no word of a model against them
+expect 0 alone compare "$work/rod.yaml" --set measured.shapes=[] --set measured.paper=table_2 --set 'rod.tensions_N=[[0.49, 0]]'
+! grep -q 'against them' "$work/out" || fail 'shapes that are not there'
+
 if command -v python3 >/dev/null; then
     python3 - "$work/helical.json" <<'END' || fail 'the numbers are not as they should be'
 import json, sys

@@ -73,6 +73,23 @@ sed -n 2p "$work/result/centreline.csv" | grep -q '^# SYNTHETIC' || fail 'centre
 tail -1 "$work/result/centreline.csv" | awk -F, '{
     exit !($1 > 119.5 && $1 < 120.5 && $2 * $2 < 0.04 && ($3 - 84.969) ^ 2 < 0.09 && ($4 - 54.558) ^ 2 < 0.09) }' ||
     fail "the tip: $(tail -1 "$work/result/centreline.csv")"
+# without a mark the line says so, and how far its errors go together; without a file of settings keys need no `scan.`
+expect 0 "$program" scan "$work/tube.xyz" --set radius_mm=4 --out "$work/unmarked"
+out 'radius 4 mm as stated'
+grep -q '^# the frame is free in its turn about z' "$work/unmarked/centreline.csv" || fail 'no word of the free turn'
+grep -Eq '^# correlation_length_mm: [0-9.]+' "$work/unmarked/centreline.csv" || fail 'no correlation length'
+! grep -q 'free in its turn' "$work/result/centreline.csv" || fail 'fiducials called free'
+expect 2 "$program" scan "$work/tube.xyz" --set colour=red
+err "unknown key 'colour'"
+# a unit that makes a body of no robot: said, with the one that would
+awk '{ printf "%.7f %.7f %.7f\n", $1 / 1000, $2 / 1000, $3 / 1000 }' "$work/tube.xyz" >"$work/metres.xyz"
+expect 0 "$program" scan "$work/metres.xyz"
+err 'perhaps it is in m'
+out 'DOUBT'
+expect 0 "$program" scan "$work/tube.xyz" --set unit=m
+err 'perhaps it is in mm'
+expect 0 "$program" scan "$work/tube.xyz"
+! grep -q warning "$work/err" || fail 'a doubt of 4 mm'
 # what it writes, a case reads
 sed 's/^  tensions_N:.*/  tensions_N: [[0.49, 0]]/; /^measured:/,$d' "$source/cases/constant_nc.yaml" >"$work/case.yaml"
 cat >>"$work/case.yaml" <<END

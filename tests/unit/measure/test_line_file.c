@@ -61,6 +61,14 @@ static void a_line_is_read_in_its_units(void)
     CHECK_OK(read_text("# Synthetic: computed\ns_mm x_mm y_mm z_mm\n0 0 0 0\n120 0 0 120\n", &c));
     CHECK(made);
     centreline_free(&c);
+    CHECK_OK(read_text("s_mm,x_mm,y_mm,z_mm\r\n# the frame is free in its turn about z\r\n"
+                       "# correlation_length_mm: 4.7\r\n0,0,0,0\r\n120,0,0,120\r\n",
+                       &c));
+    CHECK(c.turn_free && !made && c.count == 2);
+    CHECK_NEAR(c.correlation_length, 4.7e-3, 1e-15);
+    centreline_free(&c);
+    refused("# correlation_length_mm: -1\ns_mm,x_mm,y_mm,z_mm\n0,0,0,0\n120,0,0,120\n",
+            "correlation length");
 }
 
 static void what_is_none_is_refused(void)

@@ -209,6 +209,17 @@ static void arclength_as_it_lies(void)
     CHECK_NEAR(e.longer, 0.01, 1e-9);
     CHECK_NEAR(e.shape, 0.01, 1e-12); // d = 0.01 s
     CHECK_NEAR(e.to, 1, 1e-15);
+    // longer than the model by less than a tenth: the tip it ends at is the rod's
+    static const struct {
+        double end;
+        bool tip;
+    } ends[] = {{0.979, false}, {0.981, true}, {1.05, true}, {1.099, true}, {1.101, false}};
+    for (int i = 0; i < 5; i++) {
+        const shape_way way = {ARCLENGTH_MEASURED, TIP_BY_LENGTH};
+        CHECK(shape_ends_at_tip(&way, 0.12 * ends[i].end, 0.12) == ends[i].tip);
+    }
+    CHECK(shape_ends_at_tip(&(shape_way){ARCLENGTH_MEASURED, TIP_MEASURED}, 0.2, 0.12));
+    CHECK(!shape_ends_at_tip(&(shape_way){ARCLENGTH_MEASURED, TIP_NOT_MEASURED}, 0.12, 0.12));
     // told that the line ends before the tip: places are met at equal lengths, and there is no
     // error
     const shape_error part = error_of(&l, (shape_way){ARCLENGTH_MEASURED, TIP_NOT_MEASURED});

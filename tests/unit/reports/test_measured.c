@@ -18,6 +18,9 @@ static status fill_line(const run_result *r, int solution, measured_line *line)
     (void)snprintf(line->file, sizeof line->file, "%d.csv", solution + 1);
     line->solution = solution;
     line->tip = solution == 0;
+    line->turn_free = solution == 1;
+    line->better = solution == 0 ? 2 : -1;
+    line->better_rms = solution == 0 ? 1e-5 : NAN;
     line->error = (shape_error){.to = 0.12,
                                 .longer = -1e-4,
                                 .tip = line->tip ? 1.25e-3 : NAN,
@@ -95,6 +98,8 @@ static void the_store_gives_them_back(void)
         CHECK(same(sizeof *x->p * POINTS, x->p, y->p));
         CHECK(same(sizeof *x->model * POINTS, x->model, y->model));
         CHECK(same(sizeof *x->s * POINTS, x->s, y->s));
+        CHECK(y->turn_free == x->turn_free && y->better == x->better);
+        CHECK(i == 0 ? y->better_rms == 1e-5 : isnan(y->better_rms));
         CHECK(isnan(y->sigma[0]) && y->sigma[1] == 5e-5 && y->bend[20].a[0] == 10);
     }
     run_result_free(&back);
@@ -158,6 +163,9 @@ static void what_is_made_is_called_so(bool synthetic)
     char *page = whole_file(dir, "report.html", &length);
     CHECK(page && strstr(page, "id=\"measured\"") && well_formed(page));
     CHECK(strstr(page, "shape &lt;1&gt;") && strstr(page, "a bench &amp; more"));
+    CHECK(strstr(page, "free in its turn about z") &&
+          strstr(page, "lies far nearer to solution 3"));
+    CHECK(strstr(page, "1.60 *") != NULL); // no uncertainty of what a choice decides
     CHECK(strstr(page, "1.25 ± 0.05 (1.0)") && strstr(page, "not measured"));
     free(page);
     scratch_free(dir);
