@@ -35,6 +35,9 @@ status cmd_material(command *cmd)
     TRY(material_measure(cmd->nargument, cmd->arguments, &s, &r));
     TRY(save_files(cmd, material_files, &r));
     command_progress(cmd, NULL);
+    for (int i = 0; i < r.nwarning; i++) {
+        fprintf(stderr, "warning: %s\n", r.warning[i]);
+    }
     TRY(show(cmd, &r));
     TRY(command_flush());
     if (cmd->out) {

@@ -51,7 +51,8 @@ static const subcommand list[] = {
      "'extension [mm]' and 'force [N]' with --set gauge_length_mm=25 --set area_mm2=8 (or\n"
      "width_mm and thickness_mm, diameter_mm, or lines that say so above the names). Several\n"
      "files, several pairs of columns or a column 'specimen' are replicates, which are pooled.\n"
-     "More to --set: name, source, nu, departure=0.05, outliers=leave_out. With --out DIR:\n"
+     "More to --set: name, source, nu=0.48 (at most 0.4999; for the block, tension does not tell\n"
+     "it), departure=0.05, outliers=leave_out. With --out DIR:\n"
      "material.yaml, ready for a case's `materials`, and the curves as a figure.\n",
      "stiffaxis material bar1.csv bar2.csv --set name=soft --out results/soft"},
     {"scan", "CLOUD", cmd_scan, "a scanned tube's points to its centreline",

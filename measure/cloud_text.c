@@ -61,6 +61,8 @@ static const char *next_cell(const char *c, char mark)
 
 static const char *cell_end(const char *c, char mark)
 {
+    const char *quote = *c == '"' ? strchr(c + 1, '"') : NULL; // marks inside do not part
+    c = quote ? quote : c;
     while (*c && *c != mark && (mark == ';' || mark == ',' || !is_blank(*c))) {
         c++;
     }
@@ -94,6 +96,18 @@ static bool ends_cell(char c, char mark)
     return c == 0 || c == mark || is_blank(c);
 }
 
+// a number, in quotes or not; nothing else in its cell
+static bool read_cell(const char **at, const layout *l, double *value)
+{
+    const bool quoted = **at == '"';
+    *at += quoted;
+    if (!cloud_number(at, l->comma, value) || (quoted && **at != '"')) {
+        return false;
+    }
+    *at += quoted;
+    return ends_cell(**at, l->mark);
+}
+
 // x, y and z of a row; the cell that is no number, or NULL
 static const char *row_fault(const char *line, const layout *l, double xyz[3])
 {
@@ -104,7 +118,7 @@ static const char *row_fault(const char *line, const layout *l, double xyz[3])
             if (l->column[d] != i) {
                 continue;
             }
-            if (!cloud_number(&at, l->comma, &xyz[d]) || !ends_cell(*at, l->mark)) {
+            if (!read_cell(&at, l, &xyz[d])) {
                 return c;
             }
             found++;

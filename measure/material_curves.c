@@ -106,72 +106,6 @@ static status find_pairs(const table *t, columns *x, columns *y)
     return OK;
 }
 
-static status note_or(const table *t, const char *names, dimension d, double given, double *out)
-{
-    status st = OK;
-    bool found = false;
-    *out = given;
-    if (given <= 0) {
-        TRY(table_note(t, names, d, out, &found));
-        if (found && !(*out > 0)) {
-            TRY(table_fail(t, -1, "'%.*s' is not above 0", (int)strcspn(names, "|"), names));
-        }
-        *out = found ? *out : 0;
-    }
-
-done:
-    return st;
-}
-
-static status area_of(const table *t, const material_settings *s, double *area)
-{
-    status st = OK;
-    double width = 0, thickness = 0, diameter = 0;
-    TRY(note_or(t, "area|cross_section|cross_sectional_area|a0|s0", DIM_AREA, s->area, area));
-    TRY(note_or(t, "width|specimen_width|b0|breite", DIM_LENGTH, s->width, &width));
-    TRY(note_or(t, "thickness|specimen_thickness|a0|dicke", DIM_LENGTH, s->thickness, &thickness));
-    TRY(note_or(t, "diameter|specimen_diameter|d0|durchmesser", DIM_LENGTH, s->diameter,
-                &diameter));
-    if (*area <= 0 && width > 0 && thickness > 0) {
-        *area = width * thickness;
-    } else if (*area <= 0 && diameter > 0) {
-        *area = 0.25 * acos(-1.0) * diameter * diameter;
-    }
-    if (*area <= 0) {
-        TRY(status_fail(ERR_INPUT,
-                        "%.300s: a force needs the cross section: --set area_mm2=..., or "
-                        "a line 'area_mm2: ...' above the names",
-                        t->path));
-    }
-
-done:
-    return st;
-}
-
-// what a column's numbers are divided by: 1 for strain and stress
-static status divisors(const table *t, const material_settings *s, bool strain, bool stress,
-                       double *length, double *area)
-{
-    status st = OK;
-    *length = *area = 1;
-    if (!strain) {
-        TRY(note_or(t, "gauge_length|gage_length|initial_length|grip_separation|length|l0",
-                    DIM_LENGTH, s->gauge_length, length));
-        if (*length <= 0) {
-            TRY(status_fail(ERR_INPUT,
-                            "%.300s: an extension needs the gauge length: --set "
-                            "gauge_length_mm=..., or a line 'gauge_length_mm: ...' above the names",
-                            t->path));
-        }
-    }
-    if (!stress) {
-        TRY(area_of(t, s, area));
-    }
-
-done:
-    return st;
-}
-
 static const char *file_name(const char *path)
 {
     const char *slash = strrchr(path, '/');
@@ -180,7 +114,7 @@ static const char *file_name(const char *path)
 
 // the rows whose specimen is `word`; all where `column` is -1
 static status add_curve(const table *t, const double *x, const double *y, int column, int word,
-                        const char *label, material_result *r)
+                        const material_specimen *like, material_result *r)
 {
     status st = OK;
     tensile_curve c = {0};
@@ -198,12 +132,40 @@ static status add_curve(const table *t, const double *x, const double *y, int co
         }
     }
     material_specimen *m = &r->specimen[r->n++];
-    *m = (material_specimen){.curve = c};
+    *m = *like;
+    m->curve = c;
     c = (tensile_curve){0};
-    (void)snprintf(m->label, sizeof m->label, "%s", label);
 
 done:
     tensile_curve_free(&c);
+    return st;
+}
+
+// the columns of pair k in SI, divided by length and area; what that rests on in `m`
+static status stress_over_strain(const table *t, const columns *x, const columns *y, int k,
+                                 const material_settings *s, material_result *r,
+                                 material_specimen *m, double **strain, double **stress)
+{
+    status st = OK;
+    const int at = x->at[x->n == 1 ? 0 : k];
+    const table_column *c = &t->column[at];
+    if (x->whole) {
+        (void)snprintf(m->strain_of, sizeof m->strain_of, "the unit '%s' of '%s'", c->unit,
+                       c->name);
+    } else {
+        TRY(material_gauge_length(t, s, r, &m->length));
+        (void)snprintf(m->strain_of, sizeof m->strain_of, "the gauge length of %.4g mm (%s)",
+                       1e3 * m->length.value, m->length.from);
+    }
+    TRY(y->whole ? OK : material_area(t, s, r, &m->area));
+    TRY(table_take(t, at, x->whole ? DIM_NONE : DIM_LENGTH, strain));
+    TRY(table_take(t, y->at[k], y->whole ? DIM_STRESS : DIM_FORCE, stress));
+    for (int i = 0; i < t->nrow; i++) {
+        (*strain)[i] /= x->whole ? 1 : m->length.value;
+        (*stress)[i] /= y->whole ? 1 : m->area.value;
+    }
+
+done:
     return st;
 }
 
@@ -211,25 +173,19 @@ static status add_pair(const table *t, const columns *x, const columns *y, int k
                        const material_settings *s, material_result *r)
 {
     status st = OK;
-    char label[MATERIAL_LABEL];
-    double *a = NULL, *b = NULL, length = 1, area = 1;
+    material_specimen m = {0};
+    double *a = NULL, *b = NULL;
     const int group = table_find(t, "specimen|sample|probe|replicate");
-    TRY(divisors(t, s, x->whole, y->whole, &length, &area));
-    TRY(table_take(t, x->at[x->n == 1 ? 0 : k], x->whole ? DIM_NONE : DIM_LENGTH, &a));
-    TRY(table_take(t, y->at[k], y->whole ? DIM_STRESS : DIM_FORCE, &b));
-    for (int i = 0; i < t->nrow; i++) {
-        a[i] /= length;
-        b[i] /= area;
-    }
+    TRY(stress_over_strain(t, x, y, k, s, r, &m, &a, &b));
     const char *file = file_name(t->path);
     for (int w = 0; group >= 0 && w < t->nword; w++) {
-        (void)snprintf(label, sizeof label, "%.40s: %s", file, t->word[w]);
-        TRY(add_curve(t, a, b, group, w, label, r));
+        (void)snprintf(m.label, sizeof m.label, "%.40s: %s", file, t->word[w]);
+        TRY(add_curve(t, a, b, group, w, &m, r));
     }
     if (group < 0) {
-        (void)snprintf(label, sizeof label, y->n > 1 ? "%.60s: %s" : "%.60s", file,
+        (void)snprintf(m.label, sizeof m.label, y->n > 1 ? "%.60s: %s" : "%.60s", file,
                        t->column[y->at[k]].name);
-        TRY(add_curve(t, a, b, -1, 0, label, r));
+        TRY(add_curve(t, a, b, -1, 0, &m, r));
     }
 
 done:

@@ -10,6 +10,12 @@
 // Softer than a jelly or stiffer than diamond: units are wrong [Pa]
 static const double softest = 100, stiffest = 2e12;
 
+// Strains that hardly any test has: rubbers break below 20, and none follows the line of its first
+// slope to 1. Below 1 % nobody tests what is softer than 100 MPa. Polymers take 0.25 % for a
+// modulus, and do not bend before 0.5 %; metals and ceramics may.
+static const double longest = 20, longest_line = 1, short_test = 0.01, shortest = 0.0025;
+static const double short_line = 0.005, soft = 1e8, metal = 1e10;
+
 static const material_settings settings_initial = {.departure = 0.05, .nu = NAN};
 
 #define LENGTH(field, words)                                                                       \
@@ -45,12 +51,13 @@ static const key settings_keys[] = {
      .offset = offsetof(material_settings, departure),
      .initial = "0.05",
      .about = "share of the line's stress by which the curve leaves it at the linear range's end"},
+    // near 0.5 the bulk stiffness is endless
     {.name = "nu",
      .kind = KEY_REAL,
      .min = -0.999,
      .max = 0.4999,
      .offset = offsetof(material_settings, nu),
-     .about = "Poisson's ratio for the block to paste; tension does not tell it"},
+     .about = "Poisson's ratio for the block to paste, at most 0.4999; tension does not tell it"},
     {.name = "outliers",
      .kind = KEY_CHOICE,
      .choices = "keep|leave_out",
@@ -75,6 +82,22 @@ void material_result_free(material_result *r)
     }
     free(r->specimen);
     *r = (material_result){0};
+}
+
+static void look_at_strains(const material_specimen *m, material_result *r)
+{
+    const tensile_answer *a = &m->answer;
+    double most = 0;
+    for (int i = 0; i < m->curve.n; i++) {
+        most = fmax(most, fabs(m->curve.strain[i] - m->curve.strain[0]));
+    }
+    const bool early = !a->linear_to_end && a->linear_strain < short_line;
+    const bool small =
+        most < short_test && (a->E < soft || (a->E < metal && (early || most < shortest)));
+    if (small || most > longest || a->linear_strain > longest_line) {
+        material_warn(r, "%s: strains up to %.3g %%, linear up to %.3g %%: is %s right?", m->label,
+                      100 * most, 100 * a->linear_strain, m->strain_of);
+    }
 }
 
 static status measure_one(const char *path, material_specimen *m, const tensile_rule *rule)
@@ -159,6 +182,7 @@ status material_measure(int nfile, const char *const *paths, const material_sett
         TRY(material_curves(paths[i], s, &r));
         for (int k = first; k < r.n; k++) {
             TRY(measure_one(paths[i], &r.specimen[k], &r.rule));
+            look_at_strains(&r.specimen[k], &r);
         }
     }
     TRY(pool(s, &r));

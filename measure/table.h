@@ -68,9 +68,9 @@ status table_column_si(const table *t, int column, dimension d, double *factor);
 status table_take(const table *t, int column, dimension d, double **out);
 
 // What stands above the rows, as machines and people put it there: "Gauge length [mm];25",
-// "# area_mm2: 8", "Width = 4 mm". *found is false where none of these names is there; ERR_FILE
-// where one is without a number or its unit.
-status table_note(const table *t, const char *names, dimension d, double *value, bool *found);
+// "# area_mm2: 8", "Width = 4 mm". *line is where it stands in the file, 0 where none of these
+// names is there; ERR_FILE where one is without a number or its unit.
+status table_note(const table *t, const char *names, dimension d, double *value, long *line);
 
 // Whether the lines above the rows have this word, capital or small.
 bool table_says(const table *t, const char *word);

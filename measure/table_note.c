@@ -74,10 +74,10 @@ static status read_note(const table *t, const text_line *l, int n, const cell *c
     return OK;
 }
 
-status table_note(const table *t, const char *names, dimension d, double *value, bool *found)
+status table_note(const table *t, const char *names, dimension d, double *value, long *line)
 {
     text_line l = text_line_at(t->head, 1);
-    *found = false;
+    *line = 0;
     do {
         cell c[TABLE_COLUMNS];
         table_column name = {0};
@@ -90,7 +90,7 @@ status table_note(const table *t, const char *names, dimension d, double *value,
             cell_name(c[0], &name);
         }
         if (name.name[0] && cell_one_of(name.name, names)) {
-            *found = true;
+            *line = l.number;
             return read_note(t, &l, n, c, d, &name, value);
         }
     } while (text_line_next(&l));

@@ -49,37 +49,6 @@ done:
     return st;
 }
 
-// The straight line through the stretch is known more closely than its slope at zero. The means of
-// the departure from it and of itself over neighbours, from the middle of the stretch on: where the
-// first passes that share of the second, the linear range ends             (9.85)
-static void linear_range(const tensile_curve *c, const tensile_choice *w, double departure,
-                         tensile_answer *a)
-{
-    const double middle = 0.5 * (w->stretch.from + w->stretch.to);
-    const double reach = 0.02 * (c->strain[c->n - 1] - c->strain[0]);
-    double off = 0, line = 0, last = 0;
-    int from = 0;
-    a->linear_to_end = true;
-    for (int i = 0; i < c->n; i++) {
-        const double straight = w->slope * (c->strain[i] - w->at);
-        off += c->stress[i] - straight;
-        line += straight;
-        last = fmax(last, c->strain[i] - w->zero);
-        while (i - from >= 4 && (c->strain[i] - c->strain[from] > reach || i - from > 400)) {
-            const double before = w->slope * (c->strain[from] - w->at);
-            off -= c->stress[from++] - before;
-            line -= before;
-        }
-        const double at = 0.5 * (c->strain[i] + c->strain[from]);
-        if (at > middle && fabs(off) > departure * fabs(line)) {
-            a->linear_strain = at - w->zero;
-            a->linear_to_end = false;
-            return;
-        }
-    }
-    a->linear_strain = last;
-}
-
 status tensile_measure(const tensile_curve *c, const tensile_rule *rule, tensile_answer *out)
 {
     status st = OK;
@@ -104,7 +73,7 @@ status tensile_measure(const tensile_curve *c, const tensile_rule *rule, tensile
     a.noise = w.fit.noise;
     a.correlation = w.fit.tau;
     a.nwindow = w.stretch.count;
-    linear_range(&loading, &w, rule->departure, &a);
+    tensile_linear_range(&loading, &w, rule->departure, &a);
     *out = a;
 
 done:

@@ -33,7 +33,7 @@ typedef struct tensile_answer {
     double E, standard_error, interval[2]; // [Pa]
     double freedom;                        // degrees of freedom behind the interval
     double strain_offset;   // where the line meets zero stress: strain counts from there
-    double linear_strain;   // end of the linear range, from there
+    double linear_strain;   // end of the linear range of the line of E, from there
     bool linear_to_end;     // the curve never left the line: linear_strain is where it ends
     double window[2];       // the straight stretch, in the strain of the curve
     double noise;           // standard deviation of the stress about the parabola [Pa]
@@ -54,6 +54,8 @@ typedef struct tensile_pool {
     double E, standard_error, interval[2], freedom;
     double between;       // standard deviation from sample to sample [Pa]; NAN for one
     double linear_strain; // the median, the lower one of two
+    double own;           // standard error of a curve by itself, root mean square [Pa]
+    double next; // half the interval that one more such curve lets expect [Pa]; NAN for one
 } tensile_pool;
 
 // Curves of one material: random effects after Paule and Mandel, the interval after Hartung and

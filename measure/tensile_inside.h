@@ -45,10 +45,16 @@ double tensile_correlation(int n, const double *r, int fitted);
 typedef struct tensile_choice {
     tensile_stretch stretch;
     double E, se, zero; // zero: strain at which the line has no stress
-    double slope, at;   // the straight line through it: slope * (strain - at)
     tensile_fit fit;
 } tensile_choice;
 
 // `whole`: the loading of which c is the beginning.
 status tensile_choose(const gsl_line_door *door, const tensile_curve *c, const tensile_curve *whole,
                       tensile_choice *out);
+
+// --- how far it is straight (tensile_linear.c)
+
+// The line is that of E. The linear range ends where the curve, in means over neighbours, was last
+// within the share of the line's stress before it is, behind the toe, surely further off    (9.85)
+void tensile_linear_range(const tensile_curve *c, const tensile_choice *w, double departure,
+                          tensile_answer *a);

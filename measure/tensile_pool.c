@@ -71,12 +71,13 @@ status tensile_pool_of(int n, const tensile_answer *a, const bool *used, const t
 {
     status st = OK;
     const gsl_random_door *random = NULL;
-    tensile_pool p = {.between = NAN};
+    tensile_pool p = {.between = NAN, .next = NAN};
     int only = -1;
     TRY(gsl_random_door_open(&random));
     for (int i = 0; i < n; i++) {
         if (used[i]) {
             p.n++;
+            p.own = hypot(p.own, a[i].standard_error);
             only = i;
         }
     }
@@ -95,7 +96,9 @@ status tensile_pool_of(int n, const tensile_answer *a, const bool *used, const t
         p.between = sqrt(between);
         // never less than the curves' own errors
         p.standard_error = sqrt(fmax(s.excess / p.freedom, 1) / s.weight);
+        p.next = random->student(rule->share, p.n) * p.standard_error * sqrt(p.n / (p.n + 1.0));
     }
+    p.own /= sqrt(p.n);
     p.linear_strain = middle_range(n, a, used, p.n);
     const double half = p.standard_error * random->student(rule->share, p.freedom);
     p.interval[0] = p.E - half;

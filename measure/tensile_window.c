@@ -12,6 +12,9 @@
 static const double straight_limit = 2.5, surely_straight = 1;
 static const double shorten = 0.7, longer_toe = 1.5, least_start = 0.15;
 static const double furthest = 1.5, sure = 3, well_known = 0.05, toe_rise = 0.1;
+// A tenth of a permille of the stress is straight, however little the noise; where a curve has so
+// little that nothing else is straight, more is, up to a per cent
+static const double least_bend = 1e-4, most_bend = 1.1e-2, more_bend = 10;
 static const double toe_step = 1.6, toe_least = 0.002, toe_most = 0.6, end_step = 0.87;
 
 enum { FEWEST = 8, PIECES = 4, PIECE_FEWEST = 12, TOE_LENGTHS = 4 };
@@ -73,7 +76,7 @@ done:
 
 // the bend (or, of degree 3, the change of bend) in units of its standard error
 static status bend_of(const gsl_line_door *door, const tensile_curve *c, double from, double to,
-                      int degree, double tau, double *worst)
+                      int degree, double tau, double least, double *worst)
 {
     status st = OK;
     tensile_fit f;
@@ -82,8 +85,7 @@ static status bend_of(const gsl_line_door *door, const tensile_curve *c, double 
         return OK; // nothing to be seen
     }
     TRY(tensile_polynomial(door, c, s, degree, tau, &f));
-    // a tenth of a permille of the stress is straight, however little the noise
-    const double size = fabs(f.p[degree]) / fmax(f.se[degree], 1e-4);
+    const double size = fabs(f.p[degree]) / fmax(f.se[degree], least);
     *worst = fmax(*worst, size);
 
 done:
@@ -91,19 +93,19 @@ done:
 }
 
 static status straightness(const gsl_line_door *door, const tensile_curve *c, tensile_stretch s,
-                           double tau, double *worst)
+                           double tau, double least, double *worst)
 {
     status st = OK;
     const double middle = 0.5 * (s.from + s.to), quarter = 0.25 * (3 * s.from + s.to);
     *worst = 0;
-    TRY(bend_of(door, c, s.from, s.to, 2, tau, worst));
+    TRY(bend_of(door, c, s.from, s.to, 2, tau, least, worst));
     if (*worst > straight_limit) {
         return OK;
     }
-    TRY(bend_of(door, c, s.from, s.to, 3, tau, worst));
-    TRY(bend_of(door, c, s.from, middle, 2, tau, worst));
-    TRY(bend_of(door, c, middle, s.to, 2, tau, worst));
-    TRY(bend_of(door, c, s.from, quarter, 2, tau, worst));
+    TRY(bend_of(door, c, s.from, s.to, 3, tau, least, worst));
+    TRY(bend_of(door, c, s.from, middle, 2, tau, least, worst));
+    TRY(bend_of(door, c, middle, s.to, 2, tau, least, worst));
+    TRY(bend_of(door, c, s.from, quarter, 2, tau, least, worst));
 
 done:
     return st;
@@ -152,7 +154,7 @@ done:
 
 // the longest straight stretch from `from` on; count 0: none
 static status longest(const gsl_line_door *door, const tensile_curve *c, double from, double tau,
-                      tensile_choice *out)
+                      double least, tensile_choice *out)
 {
     status st = OK;
     const double begin = c->strain[0], end = c->strain[c->n - 1];
@@ -162,7 +164,7 @@ static status longest(const gsl_line_door *door, const tensile_curve *c, double 
         if (s.count < FEWEST) {
             break;
         }
-        TRY(straightness(door, c, s, tau, &worst));
+        TRY(straightness(door, c, s, tau, least, &worst));
         if (worst > straight_limit) {
             continue;
         }
@@ -229,33 +231,50 @@ static int best_of(int n, const tensile_choice *all)
     return best;
 }
 
-status tensile_choose(const gsl_line_door *door, const tensile_curve *c, const tensile_curve *whole,
-                      tensile_choice *out)
+static status best_straight(const gsl_line_door *door, const tensile_curve *c,
+                            const tensile_curve *whole, double tau, double least,
+                            tensile_choice *out, bool *found)
 {
     enum { MOST = 32 };
     status st = OK;
     tensile_choice all[MOST];
-    tensile_fit line;
-    int n = 0, best = -1;
-    double tau = 1;
+    int n = 0;
     const double begin = c->strain[0], size = c->strain[c->n - 1] - begin;
-    TRY(local_correlation(door, c, &tau));
     for (double toe = 0; toe < toe_most && n < MOST; toe = fmax(toe_step * toe, toe_least)) {
         all[n] = (tensile_choice){.E = 0};
-        TRY(longest(door, c, begin + toe * size, tau, &all[n]));
+        TRY(longest(door, c, begin + toe * size, tau, least, &all[n]));
         if (all[n].stretch.count > 0 && isfinite(all[n].se) && !lies_in_toe(whole, &all[n])) {
             n++;
         }
     }
-    best = best_of(n, all);
-    if (best < 0 || !(all[best].E > 0)) {
+    const int best = best_of(n, all);
+    *found = best >= 0 && all[best].E > 0;
+    if (*found) {
+        *out = all[best];
+    }
+
+done:
+    return st;
+}
+
+status tensile_choose(const gsl_line_door *door, const tensile_curve *c, const tensile_curve *whole,
+                      tensile_choice *out)
+{
+    status st = OK;
+    double tau = 1;
+    bool found = false;
+    TRY(local_correlation(door, c, &tau));
+    for (double least = least_bend; !found && least < most_bend; least *= more_bend) {
+        TRY(best_straight(door, c, whole, tau, least, out, &found));
+        if (found && least > least_bend) { // the bend that was let pass is in the interval
+            const double unit = out->fit.scale / (out->stretch.to - out->stretch.from);
+            out->se = hypot(out->se, straight_limit * least * unit);
+        }
+    }
+    if (!found) {
         TRY(status_fail(ERR_FILE, "no straight stretch of %d points where stress rises with strain",
                         FEWEST));
     }
-    *out = all[best];
-    TRY(tensile_polynomial(door, c, out->stretch, 1, tau, &line));
-    out->slope = line.p[1] * line.scale / (out->stretch.to - out->stretch.from);
-    out->at = out->stretch.from - line.p[0] * line.scale / out->slope;
 
 done:
     return st;

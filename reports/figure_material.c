@@ -137,7 +137,7 @@ static status draw(canvas *c, const void *data)
     draw_legend(c, r, head + plot_height + 56);
     (void)snprintf(words, sizeof words,
                    "Line: slope E from the strain where it has no stress. Dot: end of the linear "
-                   "range, %.3g %% off the line. Strain as recorded.",
+                   "range, %.3g %% off this line. Strain as recorded.",
                    100 * r->rule.departure);
     say_within(c, side, sheet_height(r) - 14, width - 2 * side, LOOK_SMALL, words);
     return OK;

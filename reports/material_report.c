@@ -5,12 +5,38 @@
 #include "io/disk.h"
 
 #include <math.h>
+#include <string.h>
 
 enum { PATH_TEXT = 4096 };
 
 static const char *plural(int n)
 {
     return n == 1 ? "" : "s";
+}
+
+static bool same_sizes(const material_specimen *a, const material_specimen *b)
+{
+    return a->length.value == b->length.value && a->area.value == b->area.value &&
+           strcmp(a->length.from, b->length.from) == 0 && strcmp(a->area.from, b->area.from) == 0;
+}
+
+// once for neighbours that have the same
+static void print_sizes(const material_result *r, int i, FILE *stream)
+{
+    const material_specimen *m = &r->specimen[i];
+    const material_size *l = &m->length, *a = &m->area;
+    if (!(l->value > 0 || a->value > 0) || (i > 0 && same_sizes(m, m - 1))) {
+        return;
+    }
+    fputs("  with ", stream);
+    if (l->value > 0) {
+        fprintf(stream, "gauge length %.4g mm (%s)%s", 1e3 * l->value, l->from,
+                a->value > 0 ? ", " : "");
+    }
+    if (a->value > 0) {
+        fprintf(stream, "cross section %.4g mm^2 (%s)", 1e6 * a->value, a->from);
+    }
+    fputs(":\n", stream);
 }
 
 static void print_specimen(const material_specimen *m, const tensile_rule *rule, FILE *stream)
@@ -43,6 +69,24 @@ static void print_specimen(const material_specimen *m, const tensile_rule *rule,
     (void)rule;
 }
 
+// What would narrow the interval: readings where a curve's own error leads, samples anyway
+static void print_remedy(const material_result *r, FILE *stream)
+{
+    const tensile_pool *p = &r->pool;
+    fprintf(stream, "  narrower: ");
+    if (p->n > 1) {
+        fprintf(stream, "one more sample like these gives about +-%.2g %% for now +-%.2g %%",
+                100 * p->next / p->E, 50 * (p->interval[1] - p->interval[0]) / p->E);
+    }
+    if (p->n == 1 || p->own > p->between) {
+        fprintf(stream, "%smore readings or less noise where %s straight", p->n > 1 ? "; " : "",
+                p->n > 1 ? "the curves are" : "the curve is");
+    } else {
+        fprintf(stream, "; more readings do little, the samples differ");
+    }
+    fputc('\n', stream);
+}
+
 static void print_pool(const material_result *r, FILE *stream)
 {
     const tensile_pool *p = &r->pool;
@@ -50,12 +94,16 @@ static void print_pool(const material_result *r, FILE *stream)
             1e-6 * p->E, 100 * r->rule.share, 1e-6 * p->interval[0], 1e-6 * p->interval[1], p->n,
             plural(p->n));
     if (p->n > 1) {
-        fprintf(stream, "  from sample to sample: standard deviation %.3g MPa (%.2g %%)\n",
-                1e-6 * p->between, 100 * p->between / p->E);
+        fprintf(
+            stream,
+            "  from sample to sample: standard deviation %.3g MPa (%.2g %%), besides the %.2g %% "
+            "of a curve by itself\n",
+            1e-6 * p->between, 100 * p->between / p->E, 100 * p->own / p->E);
     } else {
         fprintf(stream, "  one curve: what differs from sample to sample is not in the interval\n");
     }
-    fprintf(stream, "  linear_strain: %.3g (the stress leaves the line by %.3g %% there)\n",
+    print_remedy(r, stream);
+    fprintf(stream, "  linear_strain: %.3g (the stress leaves the line of E by %.3g %% there)\n",
             p->linear_strain, 100 * r->rule.departure);
     if (r->noutlier > 0) {
         const bool kept = r->other.n < p->n;
@@ -73,8 +121,15 @@ void material_print(const material_result *r, FILE *stream)
     }
     print_pool(r, stream);
     for (int i = 0; i < r->n; i++) {
+        print_sizes(r, i, stream);
         print_specimen(&r->specimen[i], &r->rule, stream);
     }
+}
+
+static void json_size(json *j, const char *name, const char *from, const material_size *s)
+{
+    json_real(j, name, s->value > 0 ? s->value : NAN);
+    json_text(j, from, s->value > 0 ? s->from : "not used");
 }
 
 static void json_specimen(json *j, const material_specimen *m)
@@ -82,6 +137,8 @@ static void json_specimen(json *j, const material_specimen *m)
     const tensile_answer *a = &m->answer;
     json_object(j, NULL);
     json_text(j, "name", m->label);
+    json_size(j, "gauge_length_m", "gauge_length_from", &m->length);
+    json_size(j, "area_m2", "area_from", &m->area);
     json_real(j, "E_Pa", a->E);
     json_reals(j, "interval_Pa", 2, a->interval);
     json_real(j, "standard_error_Pa", a->standard_error);
@@ -112,6 +169,8 @@ static void json_pool(json *j, const tensile_pool *p)
     json_real(j, "degrees_of_freedom", p->freedom);
     json_real(j, "between_samples_Pa", p->between);
     json_real(j, "linear_strain", p->linear_strain);
+    json_real(j, "curve_standard_error_Pa", p->own);
+    json_real(j, "half_interval_with_one_more_Pa", p->next);
     json_integer(j, "curves", p->n);
 }
 
@@ -136,6 +195,11 @@ status material_json(json *j, const material_result *r)
     json_object(j, r->other.n < r->pool.n ? "without_outliers" : "with_all");
     json_pool(j, &r->other);
     json_object_end(j);
+    json_array(j, "warnings");
+    for (int i = 0; i < r->nwarning; i++) {
+        json_text(j, NULL, r->warning[i]);
+    }
+    json_array_end(j);
     json_array(j, "specimens");
     for (int i = 0; i < r->n; i++) {
         json_specimen(j, &r->specimen[i]);
@@ -174,17 +238,27 @@ static status write_yaml(const material_result *r, const char *path)
     if (r->synthetic) {
         fprintf(file, "# SYNTHETIC data: no measurement\n");
     }
+    fprintf(file, "# a case has one `materials:`, with the block of each material below it\n");
     fprintf(file, "materials:\n  %s:\n", r->name);
     fprintf(file, "    E_MPa: %-10.4g # %.4g to %.4g with %.0f %%, of %d curve%s\n", 1e-6 * p->E,
             1e-6 * p->interval[0], 1e-6 * p->interval[1], 100 * r->rule.share, p->n, plural(p->n));
     if (isfinite(r->nu)) {
         fprintf(file, "    nu: %-13.4g # as given: tension does not tell it\n", r->nu);
     } else {
-        fprintf(file, "    # nu: tension does not tell it; elastomers have 0.45 to 0.5\n");
+        fprintf(file,
+                "    # nu is needed and tension does not tell it: write `nu: 0.48` here, or run\n"
+                "    # `stiffaxis material` with --set nu=0.48; elastomers: 0.45 to 0.499, below "
+                "0.5\n");
     }
     fprintf(file, "    linear_strain: %.3g\n", p->linear_strain);
     const bool written = !ferror(file);
     return fclose(file) == 0 && written ? OK : disk_fail(path, "write");
+}
+
+static void csv_size(csv *c, double unit, const material_size *s)
+{
+    csv_real(c, s->value > 0 ? s->value / unit : NAN);
+    csv_text(c, s->value > 0 ? s->from : "not used");
 }
 
 static status write_csv(const material_result *r, const char *path)
@@ -201,7 +275,11 @@ static status write_csv(const material_result *r, const char *path)
                                         "noise_MPa",
                                         "correlated_points",
                                         "outlier",
-                                        "used"};
+                                        "used",
+                                        "gauge_length_mm",
+                                        "gauge_length_from",
+                                        "area_mm2",
+                                        "area_from"};
     enum { COLUMNS = sizeof names / sizeof *names };
     status st = OK;
     csv *c = NULL;
@@ -224,6 +302,8 @@ static status write_csv(const material_result *r, const char *path)
         for (size_t k = 0; k < sizeof row / sizeof *row; k++) {
             csv_real(c, row[k]);
         }
+        csv_size(c, 1e-3, &r->specimen[i].length);
+        csv_size(c, 1e-6, &r->specimen[i].area);
     }
     st = csv_close(c);
 

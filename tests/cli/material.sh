@@ -57,6 +57,32 @@ expect 2 "$program" material "$work/a.csv" --set gauge_lenght_mm=50
 err 'did you mean'
 expect 2 "$program" material
 
+# what was divided by, and whence; a file that says else; strains that nobody has
+expect 0 "$program" material "$work/c.csv"
+out 'gauge length 50 mm (line 1), cross section 8 mm^2 (line 2)'
+out 'narrower: more readings'
+expect 0 "$program" material "$work/c.csv" --set gauge_length_mm=25 --set diameter_mm=4 --json --out "$work/sizes"
+err 'gauge length 25 mm of option --set is used, but its line 1 says 50 mm'
+err 'cross section 12.57 mm^2 of option --set is used, but its line 2 says 8 mm^2'
+valid_json "$work/out"
+out '"gauge_length_m": 0.025'
+out '"gauge_length_from": "option --set"'
+grep -q 'gauge_length_mm,gauge_length_from,area_mm2,area_from' "$work/sizes/material.csv" || fail 'material.csv names no sizes'
+grep -q ',25,option --set,12[.]56' "$work/sizes/material.csv" || fail 'material.csv has no sizes'
+expect 0 "$program" material "$work/c.csv" --set gauge_length_mm=50
+[ "$(grep -c warning "$work/err")" = 0 ] || fail 'a warning for the size that the file has too'
+expect 0 "$program" material "$work/c.csv" --set gauge_length_mm=0.05
+err 'is the gauge length of 0.05 mm (option --set) right?'
+{ echo 'strain [%],stress [MPa]'; rows 1 1 ,; } >"$work/small.csv"
+expect 0 "$program" material "$work/small.csv"
+err "is the unit '%' of 'strain' right?"
+expect 0 "$program" material "$work/a.csv"
+[ "$(grep -c warning "$work/err")" = 0 ] || fail 'a warning for strains to 6 %'
+expect 0 "$program" material "$work/a.csv" --out "$work/no_nu"
+grep -q 'set nu=' "$work/no_nu/material.yaml" || fail 'the block does not say how to give nu'
+expect 2 "$program" material "$work/a.csv" --set nu=0.5
+err '0.4999'
+
 # bad input: one clear line, nothing written
 bad() {
     words=$1

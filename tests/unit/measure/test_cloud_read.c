@@ -83,6 +83,8 @@ static void text_with_any_marks(void)
     text("", "%g %g %g\n", NAN, 1e-3);
     text("", "%g %g %g\r\n", 1.0, 1.0);
     text("", "  %.17e\t%.6f   %.3f  \n", NAN, 1e-3);
+    text("\"x\",\"y\",\"z\"\n", "\"%g\",\"%g\",\"%g\"\n", NAN, 1e-3);
+    text("", "\"%g\" \"%g\" \"%g\"\n", NAN, 1e-3);
     text("# x y z\n\n", "%g, %g, %g\n", NAN, 1e-3);
     text("", "%g,%g,%g,0,0,1,255,128,0\n", NAN, 1e-3);
     text("7\n", "%g %g %g -812 10 20 30\n", NAN, 1e-3);

@@ -126,7 +126,7 @@ static void the_lines_above_are_read_too(void)
 {
     table t = {0};
     double value = 0;
-    bool found = false;
+    long found = 0;
     CHECK_OK(read_text("# Synthetic data\nGauge length [mm];25,4\nWidth: 4 mm\n\"Area\",\"8\","
                        "\"mm^2\"\n# thickness_mm = 2\nrate;slow\nx;y\n1;2\n",
                        &t));

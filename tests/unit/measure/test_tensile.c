@@ -136,6 +136,55 @@ static void a_knee_is_the_end_of_the_linear_range(void)
     tensile_curve_free(&c);
 }
 
+// neo-Hookean in tension: sigma/E = (lambda - 1/lambda^2)/3
+static double neo(double strain)
+{
+    const double stretch = 1 + strain;
+    return (stretch - 1 / (stretch * stretch)) / 3;
+}
+
+// Where a line of slope `line` times the first one leaves it by that share, the line's zero being
+// `ahead` in front of the curve's; by halving
+static double neo_leaves_at(double line, double ahead, double departure)
+{
+    double low = 0.02, high = 1;
+    for (int i = 0; i < 60; i++) {
+        const double middle = 0.5 * (low + high);
+        if (neo(middle - ahead) > (1 - departure) * line * middle) {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    return low;
+}
+
+// with hardly any noise, which does not hide any bend, to 12 % and to 24 %; with a slack of 1 % in
+// front the strain counts from there
+static void linear_strain_belongs_to_E(void)
+{
+    enum { MANY = 1200 };
+    for (int k = 0; k < 4; k++) {
+        const double most = k % 2 ? 0.24 : 0.12, slack = k < 2 ? 0 : 0.01;
+        tensile_curve c = {0};
+        CHECK_OK(tensile_curve_make(MANY, &c));
+        for (int i = 0; i < MANY; i++) {
+            c.strain[i] = most * i / (MANY - 1);
+            c.stress[i] = modulus * (neo(fmax(c.strain[i] - slack, 0)) + 1e-5 * sin(7.0 * i * i));
+        }
+        const tensile_answer a = measured(&c);
+        const double line = a.E / modulus;
+        CHECK(!a.linear_to_end);
+        CHECK_WITHIN(a.E, modulus, a.interval[1] - a.interval[0]);
+        // of the line that is told, to a half of the neighbours that are averaged
+        CHECK_WITHIN(a.linear_strain, neo_leaves_at(line, slack - a.strain_offset, 0.05),
+                     0.01 * most);
+        // of the material: what E is off moves the end by 1/0.05 times as much
+        CHECK_NEAR(a.linear_strain, neo_leaves_at(1, 0, 0.05), fabs(line - 1) / 0.05 + 0.03);
+        tensile_curve_free(&c);
+    }
+}
+
 static void hopeless_curves_are_refused(void)
 {
     const tensile_rule rule = tensile_rule_default();
@@ -217,6 +266,7 @@ int main(void)
     a_slip_ends_the_curve();
     only_the_first_loading_counts();
     a_knee_is_the_end_of_the_linear_range();
+    linear_strain_belongs_to_E();
     hopeless_curves_are_refused();
     two_curves_are_weighted();
     scatter_between_samples_is_found();
