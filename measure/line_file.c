@@ -120,13 +120,13 @@ static status take_notes(const table *t, centreline *c)
 {
     status st = OK;
     double length = 0;
-    bool found = false;
+    long line = 0;
     c->turn_free = table_says(t, LINE_TURN_FREE);
-    TRY(table_note(t, "correlation_length", DIM_LENGTH, &length, &found));
-    if (found && !(length > 0 && length < MOST_CORRELATION)) {
+    TRY(table_note(t, "correlation_length", DIM_LENGTH, &length, &line));
+    if (line > 0 && !(length > 0 && length < MOST_CORRELATION)) {
         TRY(table_fail(t, -1, "the correlation length %g mm is none", 1e3 * length));
     }
-    c->correlation_length = found ? length : NAN;
+    c->correlation_length = line > 0 ? length : NAN;
 
 done:
     return st;
