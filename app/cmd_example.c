@@ -98,6 +98,10 @@ status cmd_example(command *cmd)
                        cmd->json ? "json" : "yaml");
     }
     TRY(document_end(&d, cmd, file));
+    if (!e) {
+        command_hint(cmd, "cases with files stand in the repository: cases/scan (a scan to fitted "
+                          "numbers), cases/measured, cases/tensile");
+    }
 
 done:
     document_free(&d);

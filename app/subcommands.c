@@ -72,7 +72,9 @@ static const subcommand list[] = {
      "For editors that check YAML while one types; --markdown prints it for people.\n",
      "stiffaxis schema > stiffaxis.schema.json"},
     {"example", "[NAME]", cmd_example, "a runnable case; without NAME the list of them",
-     "The cases of the repository's cases/, which this program carries.\n",
+     "The cases of the repository's cases/, which this program carries. Those that need files "
+     "stand in\n"
+     "its folders: cases/scan (a scan to fitted numbers), cases/measured, cases/tensile.\n",
      "stiffaxis example fig4 > fig4.yaml"},
     {"doctor", NULL, cmd_doctor, "versions, and what works on this machine",
      "Uses every library once on a small problem. Exit code 5 when one that is needed fails.\n",
