@@ -16,7 +16,8 @@ typedef struct fitting {
     int *solution; // [nshape]
     fit_unknown *unknown;
     fit_shape *shape;
-    int nsolve;
+    int nsolve, nstart, start;
+    double chi2; // of the search at hand; 0: not yet
 } fitting;
 
 static const fit_parameter *parameter_of(const case_data *c, int i)
@@ -31,15 +32,29 @@ static const measured_shape *shape_of(const case_data *c, int k)
 
 // --- the model
 
+static void hear_progress(void *context, int start, double chi2)
+{
+    fitting *f = context;
+    f->chi2 = f->start == start && f->chi2 > 0 ? fmin(f->chi2, chi2) : chi2;
+    f->start = start;
+}
+
+static void show_progress(fitting *f)
+{
+    char words[96];
+    const int n = snprintf(words, sizeof words, "fit: start %d of %d, ", f->start + 1, f->nstart);
+    (void)snprintf(words + n, sizeof words - (size_t)n,
+                   f->chi2 > 0 ? "%d solves, chi^2 %.4g" : "%d solves", ++f->nsolve, f->chi2);
+    command_progress(f->cmd, words);
+}
+
 static status solve_lines(void *context, const double *x, vec3 *p, double *length)
 {
     status st = OK;
     fitting *f = context;
     settings s = {0};
     variation_answer a = {0};
-    char words[48];
-    (void)snprintf(words, sizeof words, "fit: shapes solved %d times", ++f->nsolve);
-    command_progress(f->cmd, words);
+    show_progress(f);
     const variation_places where = {
         .nsolution = f->nshape, .solution = f->solution, .npoint = FIT_POINTS};
     for (int i = 0; i < f->c->file.fit.parameters.count; i++) {
@@ -127,6 +142,7 @@ static status make_problem(fitting *f, fit_problem *out)
                          .unknown = f->unknown,
                          .shape = f->shape,
                          .lines = solve_lines,
+                         .progress = hear_progress,
                          .context = f,
                          .base = fc->base,
                          .base_shift = fc->base_shift,
@@ -288,7 +304,7 @@ status chain_fit(const command *cmd, const case_data *c, run_result *out)
     TRY(variation_open(c, out->has_section ? &out->section : NULL, &f.v));
     TRY(make_problem(&f, &problem));
     warn_turns(&f);
-    problem.nstart = useful_starts(&problem);
+    f.nstart = problem.nstart = useful_starts(&problem);
     TRY(case_place(c, shape_fit(&problem, &answer), c->file.fit.at));
     TRY(tell(&f, &problem, &answer, &out->fit));
     TRY(write_fitted(c, out));

@@ -87,6 +87,9 @@ static void print_grounds(const fit_result *f)
            bases[f->base], a->quantile);
     if (a->nstart > 1) {
         printf("%d of %d starts ended here", a->nsame, a->nstart);
+        if (a->nended < a->nstart) {
+            printf(", %d found no end", a->nstart - a->nended);
+        }
         isfinite(a->next_chi2) ? printf(", the next best at chi^2 %.4g\n", a->next_chi2)
                                : printf("\n");
     }

@@ -14,6 +14,13 @@ typedef struct fit_station {
     double sigma; // NAN: not known
 } fit_station;
 
+// The best place where a search stopped short.
+typedef struct fit_stop {
+    bool any;
+    double chi2, x[FIT_MOST_UNKNOWNS];
+    char weakest[400]; // the combination of unknowns that the shapes tell least of
+} fit_stop;
+
 typedef struct fit {
     const fit_problem *problem;
     const gsl_fit_door *door;
@@ -37,6 +44,10 @@ typedef struct fit {
     vec3 *tip;    // [nshape] of the model
     vec3 *slope;  // [nall] the model's direction there, of the last shapes solved
     int nsolve;
+
+    fit_stop stop;
+    bool named; // the last search ended by unknowns that cannot be told apart
+    int start;  // the search at hand, from 0
 } fit;
 
 status fit_make(const fit_problem *problem, fit *out);
@@ -70,3 +81,11 @@ void fit_learn(fit *f, const double *z);
 // Normal equations of the free unknowns at z with the base's motions eliminated [nfree][nfree], in
 // the search's coordinates, and with them held [nfree] (its diagonal).
 status fit_normal(fit *f, const double *z, double *S, double *held);
+
+// One search from z [fit_nz] to the best place near; ERR_NUMERIC: none within the budget, f->stop
+// has what was reached.
+status fit_search(fit *f, double *z, double *cost);
+// whether further searches would say the same
+bool fit_in_vain(const fit *f);
+// The last search's failure, and where the best of them stood.
+status fit_no_search_ended(fit *f, int nstart);

@@ -191,6 +191,17 @@ static status no_shape_there(fit *f, status st, double *r)
     return OK;
 }
 
+static void tell_progress(const fit *f, const double *r)
+{
+    double chi2 = 0;
+    for (int i = 0; i < fit_nr(f); i++) {
+        chi2 += r[i] * r[i];
+    }
+    if (f->problem->progress) {
+        f->problem->progress(f->problem->context, f->start, chi2);
+    }
+}
+
 status fit_residuals(void *context, const double *z, double *r, double *jacobian)
 {
     fit *f = context;
@@ -227,5 +238,6 @@ status fit_residuals(void *context, const double *z, double *r, double *jacobian
         }
     }
     f->begun = true;
+    tell_progress(f, r);
     return OK;
 }

@@ -56,29 +56,59 @@ static status check_each(const fit *f, const double *S, const double *held)
     return OK;
 }
 
-// S scaled to a diagonal of ones: eigenvalues and vectors
+// S scaled to a diagonal of ones: eigenvalues, ascending, and vectors
 static status decompose(const fit *f, const double *S, double *value, double *vector)
 {
-    status st = OK;
     const int n = f->nfree;
     double scaled[FIT_MOST_UNKNOWNS * FIT_MOST_UNKNOWNS];
-    char words[400];
     for (int i = 0; i < n; i++) {
         for (int j = 0; j < n; j++) {
             scaled[i * n + j] = S[i * n + j] / sqrt(S[i * n + i] * S[j * n + j]);
         }
     }
-    TRY(f->door->eigen(n, scaled, value, vector));
-    if (!(value[0] > told_apart)) {
-        names_of(f, vector, words, sizeof words);
-        TRY(status_fail(ERR_NUMERIC,
-                        "fit: %s cannot be told apart by these shapes: only a combination of them "
-                        "moves anything (fit fewer, or measure what one of them does alone)",
-                        words));
+    return f->door->eigen(n, scaled, value, vector);
+}
+
+static status check_together(const fit *f, const double *value, const double *vector)
+{
+    char words[400];
+    if (value[0] > told_apart) {
+        return OK;
     }
+    names_of(f, vector, words, sizeof words);
+    return status_fail(ERR_NUMERIC,
+                       "fit: %s cannot be told apart by these shapes: only a combination of them "
+                       "moves anything (fit fewer, or measure what one of them does alone)",
+                       words);
+}
+
+status fit_told_apart(fit *f, const double *z)
+{
+    status st = OK;
+    double S[FIT_MOST_UNKNOWNS * FIT_MOST_UNKNOWNS], held[FIT_MOST_UNKNOWNS];
+    double value[FIT_MOST_UNKNOWNS], vector[FIT_MOST_UNKNOWNS * FIT_MOST_UNKNOWNS];
+    if (f->nfree == 0) {
+        return OK;
+    }
+    TRY(fit_normal(f, z, S, held));
+    TRY(check_each(f, S, held));
+    TRY(decompose(f, S, value, vector));
+    TRY(check_together(f, value, vector));
 
 done:
     return st;
+}
+
+void fit_weakest(fit *f, const double *z, char *words, size_t room)
+{
+    double S[FIT_MOST_UNKNOWNS * FIT_MOST_UNKNOWNS], held[FIT_MOST_UNKNOWNS];
+    double value[FIT_MOST_UNKNOWNS], vector[FIT_MOST_UNKNOWNS * FIT_MOST_UNKNOWNS];
+    words[0] = '\0';
+    if (f->nfree == 0 || fit_normal(f, z, S, held) != OK || decompose(f, S, value, vector) != OK) {
+        status_clear();
+        return;
+    }
+    names_of(f, vector, words, room);
 }
 
 // (J^T J)^-1 of the free unknowns in their units, the base's motions taken into account [n][n]
@@ -91,6 +121,7 @@ static status covariance(fit *f, const double *z, double *out)
     TRY(fit_normal(f, z, S, held));
     TRY(check_each(f, S, held));
     TRY(decompose(f, S, value, vector));
+    TRY(check_together(f, value, vector));
     for (int i = 0; i < n; i++) {
         for (int j = 0; j < n; j++) {
             double sum = 0;

@@ -17,3 +17,8 @@ status fit_spread_held(fit *f, const double *z, int k, fit_spread *spread);
 // told apart, by name.
 status fit_spread_find(fit *f, const double *z, double cost, const fit_spread *spread,
                        fit_answer *out);
+
+// ERR_NUMERIC where the free unknowns cannot be told apart at z, by name.
+status fit_told_apart(fit *f, const double *z);
+// "'E soft' and 'E stiff' together": what the shapes at z tell least of.
+void fit_weakest(fit *f, const double *z, char *words, size_t room);

@@ -21,6 +21,7 @@ typedef struct least_squares {
 typedef struct least_squares_answer {
     int steps;
     double cost;        // |r|^2 at x
+    bool short_of_it;   // ERR_NUMERIC: x is the best place so far, and not there yet
     double *covariance; // [nparameter][nparameter] (J^T J)^-1, the caller's; may be NULL
 } least_squares_answer;
 

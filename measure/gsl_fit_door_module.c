@@ -108,6 +108,7 @@ static status drive(const least_squares *problem, search *s, gsl_multifit_nlinea
         largest = fmax(largest, fabs(r));
     }
     if (result != GSL_SUCCESS && !(largest <= no_residual) && !arrived(w)) {
+        answer->short_of_it = true;
         return status_fail(ERR_NUMERIC, "fit: no convergence in %d steps (%s)", answer->steps,
                            gsl_strerror(result));
     }

@@ -8,29 +8,12 @@
 #include <math.h>
 #include <string.h>
 
-// Relative change of a coordinate at which a search ends: far below any interval.
-static const double step_tolerance = 1e-7;
-enum { MOST_STEPS = 100 };
 // Fits in turn with what the residuals tell of the errors: the third changes little.
 enum { ROUNDS = 3 };
 // Searches that end nearer to one another than this part of the range ended at the same place.
 static const double same_place = 1e-3;
 
 // --- one search
-
-static status search(fit *f, double *z, double *cost)
-{
-    status st = OK;
-    const least_squares problem = {fit_nr(f), fit_nz(f),      fit_residuals,
-                                   f,         step_tolerance, MOST_STEPS};
-    least_squares_answer answer = {0};
-    f->begun = false;
-    TRY(f->door->least_squares(&problem, z, &answer));
-    *cost = answer.cost;
-
-done:
-    return st;
-}
 
 // where a coordinate stands beyond its bounds, in parts of the range; 0: between
 static double outside(const fit *f, const double *z, int k)
@@ -83,7 +66,7 @@ static status search_between(fit *f, double *z, double *cost, fit_spread *spread
     for (int left = f->nfree; left >= 0; left--) {
         int worst = -1;
         if (fit_nz(f) > 0) {
-            TRY(search(f, z, cost));
+            TRY(fit_search(f, z, cost));
         }
         for (int k = 0; k < f->nfree; k++) {
             if (outside(f, z, k) != 0 &&
@@ -146,7 +129,8 @@ static void random_start(const fit_problem *p, const gsl_random_door *door, gsl_
 static void count_endings(const fit *f, int n, const ending *end, const ending *best,
                           fit_answer *out)
 {
-    out->nstart = n;
+    out->nstart = f->problem->nstart;
+    out->nended = n;
     out->nsame = 0;
     out->next_chi2 = NAN;
     for (int i = 0; i < n; i++) {
@@ -176,8 +160,13 @@ static status search_all(fit *f, double *z, fit_spread *spread, fit_answer *out)
             x[u] = p->unknown[u].start;
         }
         set_start(f, x, z);
+        f->start = i;
+        f->named = false;
         st = search_between(f, z, &end[n].cost, spread);
-        if (st == ERR_NUMERIC && (i > 0 || p->nstart > 1) && !(i + 1 == p->nstart && n == 0)) {
+        if (st == ERR_NUMERIC && n == 0 && (i + 1 == p->nstart || fit_in_vain(f))) {
+            TRY(fit_no_search_ended(f, i + 1));
+        }
+        if (st == ERR_NUMERIC) {
             status_clear(); // no way from there
             st = OK;
             continue;
@@ -288,7 +277,9 @@ static status rounds(fit *f, fit_answer *out)
     TRY(TAKE(z, (size_t)(n + 6 * f->nbase)));
     TRY(search_all(f, z, &spread, out));
     for (int i = 0; i < ROUNDS; i++) {
-        TRY(search_between(f, z, &cost, &spread));
+        f->stop.any = false;
+        st = search_between(f, z, &cost, &spread);
+        TRY(st == ERR_NUMERIC ? fit_no_search_ended(f, 1) : st);
         // the model at the end, and what its residuals tell
         TRY(fit_solve(f, f->x));
         if (i + 1 < ROUNDS) {

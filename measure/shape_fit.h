@@ -34,6 +34,8 @@ typedef struct fit_problem {
     // unloaded rod's arclength, *length its length [m]. ERR_NUMERIC: no shape for these values, a
     // search turns elsewhere; what else fails ends it.
     status (*lines)(void *context, const double *x, vec3 *p, double *length);
+    // told now and then: search `start` from 0 stands at chi2; NULL: nobody asks
+    void (*progress)(void *context, int start, double chi2);
     void *context;
     int base;                     // fit_base
     double base_shift, base_turn; // standard deviations of each of its components [m, rad]
@@ -74,7 +76,7 @@ typedef struct fit_answer {
     double correlation_length; // along the line [m]
     int correlation_from;      // fit_correlation
     int nplace;                // stations used
-    int nstart, nsame;         // searches that ended, and those that ended here
+    int nstart, nended, nsame; // searches, those that converged, and those that ended here
     double next_chi2;          // the best that ended elsewhere; NAN: none
     double step_error;         // of the derivatives by differences, relative
     int nsolve;                // of the model

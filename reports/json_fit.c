@@ -66,6 +66,7 @@ static void write_how(json *j, const fit_result *f)
     json_real(j, "base_shift_sigma_m", f->base_shift);
     json_real(j, "base_turn_sigma_rad", f->base_turn);
     json_integer(j, "starts", a->nstart);
+    json_integer(j, "starts_that_converged", a->nended);
     json_integer(j, "starts_that_ended_here", a->nsame);
     json_real(j, "next_chi2", a->next_chi2);
     json_real(j, "derivative_relative_error", a->step_error);

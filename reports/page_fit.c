@@ -161,6 +161,9 @@ static status grounds(bytes *page, const fit_result *f)
     }
     if (a->nstart > 1) {
         PAGE("Of %d starts %d ended here", a->nstart, a->nsame);
+        if (a->nended < a->nstart) {
+            PAGE(", %d found no end", a->nstart - a->nended);
+        }
         if (isfinite(a->next_chi2)) {
             PAGE(", the next best at χ² = %s", number_digits(a->next_chi2, 4).text);
         }

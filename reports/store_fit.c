@@ -74,6 +74,7 @@ static status pass_how(const passage *p, fit_result *f)
         {"correlation_from", COLUMN_INT, "-", OF(answer.correlation_from), 0, {0}, FIT_BY_LINE},
         {"places", COLUMN_INT, "-", OF(answer.nplace), 0, {0}, MOST_FIT},
         {"starts", COLUMN_INT, "-", OF(answer.nstart), 0, {0}, MOST_FIT},
+        {"ended", COLUMN_INT, "-", OF(answer.nended), 0, {0}, MOST_FIT},
         {"same", COLUMN_INT, "-", OF(answer.nsame), 0, {0}, MOST_FIT},
         {"next_chi2", COLUMN_ANY, "-", OF(answer.next_chi2), 0, {0}, 0},
         {"step_error", COLUMN_ANY, "-", OF(answer.step_error), 0, {0}, 0},

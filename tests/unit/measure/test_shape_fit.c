@@ -3,6 +3,7 @@
 #include "measure/shape_fit.h"
 #include "tests/test.h"
 
+#include <math.h>
 #include <string.h>
 
 // curvature x[0] [1/m] and torsion x[1] [1/m] of a helix of 120 mm that begins along z; shape k has
@@ -239,8 +240,79 @@ static void refuses_what_cannot_be_told(void)
     tear_down(&w);
 }
 
+// a valley that winds: every step along it is small
+static status winding(void *context, const double *x, vec3 *p, double *L)
+{
+    const double moved[2] = {10 + 0.02 * x[0], 5 + 5 * (x[1] - sin(30 * x[0]))};
+    return helices(context, moved, p, L);
+}
+
+typedef struct counted {
+    int nshape, ncall; // the first is what helices() takes
+    int last_start;
+    double least;
+} counted;
+
+static status count_winding(void *context, const double *x, vec3 *p, double *L)
+{
+    ((counted *)context)->ncall++;
+    return winding(context, x, p, L);
+}
+
+static void hear(void *context, int start, double chi2)
+{
+    counted *c = context;
+    c->last_start = start;
+    c->least = fmin(c->least, chi2);
+}
+
+static void what_gets_nowhere_ends_soon_and_says_where(void)
+{
+    setting w;
+    const double x[2] = {10, 5};
+    counted c = {.nshape = SHAPES, .least = INFINITY};
+    set_up(&w, x, &(noise){.sigma = 5e-5}, 3);
+    w.problem.lines = count_winding;
+    w.problem.context = &c;
+    w.problem.progress = hear;
+    w.problem.nstart = 4;
+    w.unknown[0] = (fit_unknown){"curvature", -8, -30, 30};
+    w.unknown[1] = (fit_unknown){"torsion", 0, -10, 10};
+    refused(&w, ERR_NUMERIC, "best so far: chi^2 ");
+    refused(&w, ERR_NUMERIC, "curvature = ");
+    refused(&w, ERR_NUMERIC, "tell least of 'curvature'");
+    CHECK(c.last_start == 1 && isfinite(c.least)); // half of the starts were enough
+    CHECK(c.ncall < 3 * 2 * 24 * 12); // three fits, two searches, their steps, solves of a step
+    tear_down(&w);
+}
+
+// no shape where the torsion is negative
+static status half_a_model(void *context, const double *x, vec3 *p, double *L)
+{
+    return x[1] < 0 ? status_fail(ERR_NUMERIC, "none") : helices(context, x, p, L);
+}
+
+static void one_search_that_ends_is_enough(void)
+{
+    setting w;
+    fit_answer a = {0};
+    const double x[2] = {10, 5};
+    set_up(&w, x, &(noise){.sigma = 5e-5}, 3);
+    w.problem.lines = half_a_model;
+    w.problem.nstart = 8;
+    CHECK_OK(shape_fit(&w.problem, &a));
+    CHECK(a.nstart == 8 && a.nended < 8 && a.nended >= 1 && a.nsame <= a.nended);
+    if (a.value) {
+        CHECK(a.low[0] < 10.1 && a.high[0] > 9.9);
+    }
+    fit_answer_free(&a);
+    tear_down(&w);
+}
+
 int main(void)
 {
+    what_gets_nowhere_ends_soon_and_says_where();
+    one_search_that_ends_is_enough();
     exact_shapes_give_exact_values();
     a_bound_is_told();
     the_frame_counts_once();
