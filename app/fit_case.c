@@ -2,6 +2,7 @@
 #include "app/fit_case.h"
 
 #include "app/case.h"
+#include "app/case_value.h"
 #include "app/variation.h"
 #include "measure/shape_fit.h"
 
@@ -152,6 +153,39 @@ done:
     return st;
 }
 
+// A start so many times the case's own value, or that part of it, is in another unit.
+static const double another_unit = 100;
+
+static status check_start(const case_data *c, const fit_parameter *p)
+{
+    status st = OK;
+    double factor = 0;
+    const char *unit = parameter_unit(&p->what, &factor);
+    if (!unit[0]) {
+        return OK;
+    }
+    for (int i = 0; i < p->what.keys.count; i++) {
+        const key_text *k = (const key_text *)p->what.keys.items + i;
+        case_value v;
+        if (case_value_find(c, k->text, k->at, &v) != OK) {
+            status_clear(); // variation_check says why
+            return OK;
+        }
+        const double ratio = fabs(p->start / v.number);
+        if (v.text || isnan(ratio) || p->start == 0 || v.number == 0 ||
+            (ratio < another_unit && ratio > 1 / another_unit)) {
+            continue;
+        }
+        TRY(config_fail(c->config, p->what.at,
+                        "parameter '%.60s': start = %g is %.3g times the case's own %.60s = %g: "
+                        "start, lower and upper are in the key's unit, %s",
+                        p->what.name, p->start, ratio, k->text, v.number, unit));
+    }
+
+done:
+    return st;
+}
+
 // each key on its own, so that the message names the parameter whose key it is
 static status check_keys(const case_data *c, const fit_parameter *p)
 {
@@ -185,6 +219,7 @@ status case_fit_check(const case_data *c)
         }
     }
     for (int i = 0; i < f->parameters.count; i++) {
+        TRY(check_start(c, &p[i]));
         TRY(check_keys(c, &p[i]));
     }
 

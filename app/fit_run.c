@@ -1,6 +1,7 @@
 // app/fit_run.c
 // The case's open numbers by its measured shapes.
 #include "app/chain.h"
+#include "app/fit_files.h"
 #include "app/variation.h"
 #include "app/warnings.h"
 #include "base/memory.h"
@@ -263,19 +264,31 @@ static status write_fitted(const case_data *c, run_result *out)
 {
     status st = OK;
     settings s = {0};
-    char *text = NULL, *ended = NULL;
-    size_t length = 0;
-    int nleft = 0;
+    char *text = NULL, *moved = NULL, *ended = NULL;
+    size_t length = 0, moved_length = 0;
+    int nleft = 0, moved_left = 0;
     for (int i = 0; i < c->file.fit.parameters.count; i++) {
         TRY(settings_add(&s, &parameter_of(c, i)->what, out->fit.answer.value[i]));
     }
-    TRY(config_rewrite(c->config, s.count, (const char *const *)s.text, &text, &length, &nleft));
+    const int nvalue = s.count;
+    TRY(config_rewrite(c->config, nvalue, (const char *const *)s.text, &text, &length, &nleft));
+    // whole paths where all of them have a place
+    TRY(fit_files(c, &s));
+    TRY(config_rewrite(c->config, s.count, (const char *const *)s.text, &moved, &moved_length,
+                       &moved_left));
+    if (moved_left == nleft) {
+        free(text);
+        text = moved;
+        length = moved_length;
+        moved = NULL;
+    }
     TRY(TAKE(ended, length + 1));
     memcpy(ended, text, length);
     TRY(add_headline(c, &out->fit, ended, nleft, &out->fitted_case));
 
 done:
     free(ended);
+    free(moved);
     free(text);
     settings_free(&s);
     return st;

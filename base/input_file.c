@@ -78,9 +78,11 @@ static status join_path(const char *directory, const char *name, char **out)
 {
     status st = OK;
     const bool alone = name[0] == '/' || !directory || directory[0] == '\0';
-    const size_t size = strlen(name) + (alone ? 0 : strlen(directory) + 1) + 1;
+    const size_t length = alone ? 0 : strlen(directory);
+    const char *slash = alone || directory[length - 1] == '/' ? "" : "/";
+    const size_t size = strlen(name) + length + 2;
     TRY(TAKE(*out, size));
-    (void)snprintf(*out, size, "%s%s%s", alone ? "" : directory, alone ? "" : "/", name);
+    (void)snprintf(*out, size, "%s%s%s", alone ? "" : directory, slash, name);
 
 done:
     return st;

@@ -68,7 +68,12 @@ grep -q 'Fitted to synthetic shapes' out/report.html || fail "the page does not 
 "$STIFFAXIS" fit case.yaml --quiet --json | grep -q '"schema": *"stiffaxis/fit/1"' || fail "no fit document"
 "$STIFFAXIS" report out --quiet --out again > /dev/null && cmp -s out/fit.svg again/fit.svg || fail "report differs"
 
-# the fitted case goes on, and says what it is
+# the fitted case goes on where it is written, and anywhere else, and says what it is
+"$STIFFAXIS" compare out/fitted.yaml --quiet > err.txt 2>&1
+grep -q 'No such file' err.txt && fail "fitted.yaml does not find its shapes: $(cat err.txt)"
+grep -qF "csv: $(pwd -P)/a.csv" out/fitted.yaml || fail "no whole path in fitted.yaml"
+mkdir -p sub && sed 's/a\.csv/none.csv/' case.yaml > sub/case.yaml
+"$STIFFAXIS" check sub/case.yaml --quiet 2>&1 | grep -q 'sub/none.csv: No such' || fail "not sub/none.csv: $("$STIFFAXIS" check sub/case.yaml --quiet 2>&1)"
 cp out/fitted.yaml . && "$STIFFAXIS" rod fitted.yaml --json --quiet | grep -q 'fitted: tendon radius' || fail "fitted.yaml"
 # keys that the case leaves out, in a map in braces and in one of lines, and one written in another unit: all in force
 tip() { "$STIFFAXIS" rod "$1" --json --quiet | grep tip_position; }
@@ -114,6 +119,8 @@ mistake 2 "is no key" case.yaml --set "$first.keys=['a=b']"
 mistake 2 "names no key" case.yaml --set "$first.keys=[]"
 mistake 2 "does not lie below upper" case.yaml --set "$first.lower=3.9" --set "$first.upper=3.3"
 mistake 2 "lies outside its bounds" case.yaml --set "$first.start=5"
+mistake 2 "start = 0.0036 is 0.001 times the case's own rod.tendons.t1.radius_mm = 3.6: start, lower and upper are in the key's unit, mm" \
+    case.yaml --set "$first.start=0.0036" --set "$first.lower=0.0033" --set "$first.upper=0.0039"
 mistake 2 "names 'rod.tendons.t1.radius_mm' twice" case.yaml \
     --set "$first.keys=[rod.tendons.t1.radius_mm, rod.tendons.t1.radius_mm]"
 mistake 2 "belongs to parameter" case.yaml --set "$first.keys=[rod.tendons.t1.friction]"
