@@ -122,13 +122,16 @@ static status pool(const material_settings *s, material_result *r)
 {
     status st = OK;
     tensile_answer *a = NULL;
+    const tensile_curve **curve = NULL;
     bool *outlier = NULL, *used = NULL;
     const size_t n = (size_t)r->n;
     TRY(TAKE(a, n));
+    TRY(TAKE(curve, n));
     TRY(TAKE(outlier, n));
     TRY(TAKE(used, n));
     for (int i = 0; i < r->n; i++) {
         a[i] = r->specimen[i].answer;
+        curve[i] = &r->specimen[i].curve;
     }
     TRY(tensile_outliers(r->n, a, outlier));
     for (int i = 0; i < r->n; i++) {
@@ -137,13 +140,16 @@ static status pool(const material_settings *s, material_result *r)
         r->noutlier += outlier[i];
     }
     TRY(tensile_pool_of(r->n, a, used, &r->rule, &r->pool));
+    TRY(tensile_pool_linear(r->n, curve, a, used, &r->rule, &r->pool));
     for (int i = 0; i < r->n; i++) {
         used[i] = !outlier[i] || s->outliers != OUTLIERS_KEEP;
     }
     TRY(tensile_pool_of(r->n, a, used, &r->rule, &r->other));
+    TRY(tensile_pool_linear(r->n, curve, a, used, &r->rule, &r->other));
 
 done:
     free(a);
+    free(curve);
     free(outlier);
     free(used);
     return st;

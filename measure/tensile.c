@@ -63,6 +63,9 @@ status tensile_measure(const tensile_curve *c, const tensile_rule *rule, tensile
     TRY(choose(line, &loading, &w));
     const double half = w.se * random->student(rule->share, w.fit.freedom);
     a.E = w.E;
+    for (int i = 0; i < loading.n; i++) {
+        a.end = i == 0 ? loading.strain[i] : fmax(a.end, loading.strain[i]);
+    }
     a.standard_error = w.se;
     a.interval[0] = w.E - half;
     a.interval[1] = w.E + half;

@@ -43,6 +43,7 @@ typedef struct tensile_answer {
     int nduplicate, nspike; // points left out
     bool unloads;           // there was more after the first loading
     bool turned;            // compression: both signs were turned
+    double end;             // strain of the first loading's end
     double slip;            // strain at which the sample slipped; NAN: it did not
 } tensile_answer;
 
@@ -53,7 +54,7 @@ typedef struct tensile_pool {
     int n; // curves in the number
     double E, standard_error, interval[2], freedom;
     double between;       // standard deviation from sample to sample [Pa]; NAN for one
-    double linear_strain; // the median, the lower one of two
+    double linear_strain; // of several: the median, the lower one of two
     double own;           // standard error of a curve by itself, root mean square [Pa]
     double next; // half the interval that one more such curve lets expect [Pa]; NAN for one
 } tensile_pool;
@@ -62,6 +63,11 @@ typedef struct tensile_pool {
 // Knapp. used[i]: whether the curve counts.
 status tensile_pool_of(int n, const tensile_answer *a, const bool *used, const tensile_rule *rule,
                        tensile_pool *out);
+
+// The linear range of the pooled E instead: of the weighted mean of the curves about its line
+// (9.86)
+status tensile_pool_linear(int n, const tensile_curve *const *c, const tensile_answer *a,
+                           const bool *used, const tensile_rule *rule, tensile_pool *p);
 
 // Grubbs's test, two-sided at 5 %, one after another while four or more are left.
 status tensile_outliers(int n, const tensile_answer *a, bool *outlier);

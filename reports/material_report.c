@@ -78,7 +78,7 @@ static void print_remedy(const material_result *r, FILE *stream)
         fprintf(stream, "one more sample like these gives about +-%.2g %% for now +-%.2g %%",
                 100 * p->next / p->E, 50 * (p->interval[1] - p->interval[0]) / p->E);
     }
-    if (p->n == 1 || p->own > p->between) {
+    if (p->n == 1 || 2 * p->own > p->between) {
         fprintf(stream, "%smore readings or less noise where %s straight", p->n > 1 ? "; " : "",
                 p->n > 1 ? "the curves are" : "the curve is");
     } else {

@@ -185,6 +185,34 @@ static void linear_strain_belongs_to_E(void)
     }
 }
 
+// two samples of one rubber, E told 2 % too high and too low: their mean is right, and so is how
+// far its line holds, which neither of their own does
+static void pooled_linear_strain_belongs_to_pooled_E(void)
+{
+    const tensile_rule rule = tensile_rule_default();
+    const bool used[2] = {true, true};
+    tensile_curve c = straight();
+    for (int i = 0; i < c.n; i++) {
+        c.strain[i] *= 2;
+        c.stress[i] = modulus * neo(c.strain[i]);
+    }
+    tensile_answer two[2] = {{.E = 1.02 * modulus,
+                              .standard_error = 0.04 * modulus,
+                              .correlation = 1,
+                              .window = {0.001, 0.02},
+                              .nwindow = 20,
+                              .end = 2 * top}};
+    two[1] = two[0];
+    two[1].E = 0.98 * modulus;
+    tensile_pool p = {0};
+    CHECK_OK(tensile_pool_of(2, two, used, &rule, &p));
+    CHECK_OK(tensile_pool_linear(2, (const tensile_curve *const[]){&c, &c}, two, used, &rule, &p));
+    CHECK_NEAR(p.E, modulus, 1e-9);
+    CHECK_WITHIN(p.linear_strain, neo_leaves_at(1, 0, 0.05), 0.01 * 2 * top); // half a bin
+    CHECK(neo_leaves_at(1.02, 0, 0.05) < 0.9 * p.linear_strain);              // its own is another
+    tensile_curve_free(&c);
+}
+
 static void hopeless_curves_are_refused(void)
 {
     const tensile_rule rule = tensile_rule_default();
@@ -267,6 +295,7 @@ int main(void)
     only_the_first_loading_counts();
     a_knee_is_the_end_of_the_linear_range();
     linear_strain_belongs_to_E();
+    pooled_linear_strain_belongs_to_pooled_E();
     hopeless_curves_are_refused();
     two_curves_are_weighted();
     scatter_between_samples_is_found();
