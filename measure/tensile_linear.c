@@ -145,7 +145,7 @@ status tensile_pool_linear(int n, const tensile_curve *const *c, const tensile_a
     }
     for (int i = 0; i < n; i++) {
         if (used[i]) {
-            end = fmin(end, a[i].end - a[i].strain_offset);
+            end = fmin(end, fmax(a[i].end - a[i].strain_offset, 0));
             toe = fmax(toe, a[i].window[0] - a[i].strain_offset);
         }
     }
