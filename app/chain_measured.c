@@ -82,8 +82,12 @@ done:
 
 static void name_line(const rod_result *rod, const measured_shape *shape, measured_line *out)
 {
-    const char *slash = strrchr(shape->csv.text, '/');
-    (void)snprintf(out->file, sizeof out->file, "%s", slash ? slash + 1 : shape->csv.text);
+    // with its folder: `scan` calls all its files alike
+    const char *file = shape->csv.text, *at = strrchr(file, '/');
+    while (at > file && at[-1] != '/') {
+        at--;
+    }
+    (void)snprintf(out->file, sizeof out->file, "%s", at ? at : file);
     if (shape->name) {
         (void)snprintf(out->name, sizeof out->name, "%s", shape->name);
     } else {

@@ -48,6 +48,8 @@ static void print_shapes(const fit_result *f)
         }
         (void)putchar('\n');
     }
+    printf("before: at `start`, bases as registered; after: fitted, bases moved. Tip: in space, "
+           "along the line too, where the fit does not look\n");
 }
 
 static void print_bases(const fit_result *f)

@@ -4,6 +4,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 enum { SHOWN_SOLUTIONS = 12, NAME = 28 };
 static const double degrees = 180 / 3.14159265358979323846;
@@ -111,6 +112,13 @@ static void print_reasons(const sensitivity_result *s)
 
 // --- random samples
 
+// heads are told whole
+static int share_width(const mover *p)
+{
+    const int length = (int)strlen(p->name);
+    return length < 12 ? 12 : length;
+}
+
 static void print_spread(const sensitivity_result *s, int solution, int quantity)
 {
     static const char *const names[SPREAD_QUANTITIES] = {"tip x mm", "tip y mm", "tip z mm",
@@ -127,7 +135,7 @@ static void print_spread(const sensitivity_result *s, int solution, int quantity
     printf(" |");
     for (int k = 0; k < s->nmover; k++) {
         if (s->mover[k].drawn) {
-            print_number(12, "%.1f", 100 * share[k]);
+            print_number(share_width(&s->mover[k]), "%.1f", 100 * share[k]);
         }
     }
     print_number(7, "%.1f", 100 * a->rest);
@@ -144,7 +152,7 @@ static void print_spreads(const run_result *r, int solution)
     printf("\n%-12s %9s %9s %9s %9s %9s |", "", "mean", "deviation", "5 %", "50 %", "95 %");
     for (int k = 0; k < s->nmover; k++) {
         if (s->mover[k].drawn) {
-            printf(" %12.12s", s->mover[k].name);
+            printf(" %*s", share_width(&s->mover[k]), s->mover[k].name);
         }
     }
     printf(" %7s\n", "other");
@@ -166,6 +174,10 @@ static void print_monte_carlo(const run_result *r)
         print_spreads(r, i);
         lost = lost || m->used[i] < m->nsample;
     }
+    printf(
+        "shares are estimates from %d samples, each good to +- %.0f or so: they may add up to more "
+        "than 100\n",
+        m->nsample, 100 / sqrt(m->nsample));
     if (lost) {
         printf(
             "! samples without an answer (a tendon that eats its length, a limit point) are left "

@@ -9,8 +9,8 @@ static status write_parameters(const fit_result *f, const char *dir)
     csv *c = NULL;
     csv_header h = {0};
     const fit_answer *a = &f->answer;
-    csv_add_all(&h, "parameter keys unit value_ratio standard_error_ratio low_ratio high_ratio "
-                    "start_ratio at_bound data");
+    csv_add_all(&h, "parameter keys unit value_in_unit standard_error_in_unit low_in_unit "
+                    "high_in_unit start_in_unit at_bound data");
     for (int i = 0; i < a->nunknown; i++) {
         char name[CSV_MAX_NAME];
         (void)snprintf(name, sizeof name, "correlation_with_%d_ratio", i + 1);

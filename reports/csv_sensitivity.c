@@ -3,6 +3,7 @@
 #include "reports/csv_kit.h"
 
 #include <math.h>
+#include <string.h>
 
 static void write_move(csv *c, const run_result *r, int k, int i)
 {
@@ -54,6 +55,9 @@ static void add_shares(csv_header *h, const sensitivity_result *s)
         char name[CSV_MAX_NAME];
         if (s->mover[k].drawn) {
             (void)snprintf(name, sizeof name, "share_of_%s_ratio", s->mover[k].name);
+            for (char *blank = name; (blank = strchr(blank, ' ')) != NULL;) {
+                *blank = '_';
+            }
             csv_add(h, name);
         }
     }

@@ -10,7 +10,7 @@
 enum { COLUMNS = 3, MOST_SHAPES = 12, MOST_PAIRS = 6, ELLIPSE_STEPS = 96 };
 
 static const double side = 28, head = 92, sheet_width = 1000, panel_height = 170;
-static const double axis_left = 62, axis_below = 48, gap = 8, caption = 22, foot = 40;
+static const double axis_left = 62, axis_below = 48, gap = 8, caption = 34, foot = 40;
 
 typedef struct fit_sheet {
     const run_result *r;
@@ -58,7 +58,6 @@ static void shape_panel(canvas *c, const fit_sheet *w, int k)
         p.y1 = fmax(p.y1, 1e3 * fmax(m->before[i], m->after[i]));
     }
     p.y1 *= 1.06;
-    say_within(c, at.x, at.y - 8, at.w, LOOK_HEADING, w->f->shape[k].name);
     plot_frame(c, &p, "along the measured line, mm", "distance, mm");
     canvas_clip(c, at.x, at.y, at.w, at.h);
     distance_line(c, &p, m->nstation, m->s, m->before, INK_FAINT);
@@ -67,7 +66,8 @@ static void shape_panel(canvas *c, const fit_sheet *w, int k)
     char words[120];
     (void)snprintf(words, sizeof words, "rms %s → %s mm", number_digits(1e3 * m->rms[0], 3).text,
                    number_digits(1e3 * m->rms[1], 3).text);
-    say_within(c, at.x + 8, at.y + 16, at.w - 16, look_haloed(LOOK_SMALL), words);
+    say_within(c, at.x, at.y - 20, at.w, LOOK_HEADING, w->f->shape[k].name);
+    say_within(c, at.x, at.y - 6, at.w, LOOK_SMALL, words); // above: no curve runs there
 }
 
 // --- pairs of numbers

@@ -95,7 +95,10 @@ static status shape_table(bytes *page, const fit_result *f)
         }
         PAGE("</tr>\n");
     }
-    PAGE("</tbody></table></div>\n");
+    PAGE("</tbody></table></div>\n<p>Before: at the parameters' start values, not the case's own "
+         "where those differ, bases as registered. After: at the fitted values, bases moved. Tip: "
+         "the distance in space, along the line too, where the fit does not look. The other "
+         "parts of this page have the case's own values.</p>\n");
 
 done:
     return st;

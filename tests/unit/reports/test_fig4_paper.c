@@ -7,6 +7,8 @@ static void only_the_paper_s_segment_gets_the_paper_s_numbers(void)
 {
     run_result r = {0};
     CHECK_OK(make_segment(&r, -0.5));
+    CHECK(!fig4_is(&r)); // the same segment, but nobody asked for the figure
+    (void)snprintf(r.title, sizeof r.title, "Fig. 4: loads");
     CHECK(fig4_is(&r));
     CHECK(fig4_which(&r, 0) == FIG4_AT_GC && fig4_which(&r, 1) == FIG4_AT_NC);
     CHECK(fig4_paper(FIG4_AT_GC).tip_angle != NULL && fig4_paper(FIG4_AT_GC).shortening == NULL);
