@@ -107,7 +107,8 @@ static status drive(const least_squares *problem, search *s, gsl_multifit_nlinea
         answer->cost += r * r;
         largest = fmax(largest, fabs(r));
     }
-    if (result != GSL_SUCCESS && !(largest <= no_residual) && !arrived(w)) {
+    if (result != GSL_SUCCESS && !(largest <= no_residual) &&
+        (result == GSL_EMAXITER || !arrived(w))) {
         answer->short_of_it = true;
         return status_fail(ERR_NUMERIC, "fit: no convergence in %d steps (%s)", answer->steps,
                            gsl_strerror(result));
