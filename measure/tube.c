@@ -11,6 +11,7 @@ enum { END_STEPS = 8 };
 static const double shortest = 4;              // radii: less is no body whose line could be told
 static const double fit_reach = 0.3;           // radii: from the traced surface
 static const double most_contradiction = 0.05; // of a given radius: more is a mistake
+static const double told_taper = 0.005;        // of the radius: less, or less than the noise, is none
 static const double told_contradiction = 0.01; // more is told, where the points are sure of it
 
 tube_options tube_options_default(void)
@@ -94,11 +95,23 @@ done:
     return st;
 }
 
+// (9.5) the radius drifts where the points are sure of it; else it is one number
+static void judge_taper(tube_fit *f)
+{
+    const double size = fabs(f->taper);
+    f->free_taper = size > 6 * f->taper_sigma &&
+                    size > fmin(told_taper * f->radius, 2 * f->noise);
+    f->taper = f->free_taper ? f->taper : 0;
+}
+
 static status cut_at_ends(tube_fit *f, const tube_end *base, const tube_end *tip)
 {
     tube_curve cut = {0};
     const status st = tube_curve_cut(&f->curve, base->u, tip->u, f->radius, &cut);
     if (st == OK) {
+        const double slope = f->taper / f->curve.length;
+        f->radius = tube_fit_radius(f, (base->u + tip->u) / 2);
+        f->taper = slope * (tip->u - base->u);
         tube_curve_free(&f->curve);
         f->curve = cut;
         for (size_t i = 0; i < f->count; i++) {
@@ -119,16 +132,18 @@ static status solve_cut(tube_fit *f, const tube_options *o, tube_report *report)
     report->radius_free = f->radius;
     report->radius_free_sigma = f->radius_sigma;
     if (isfinite(o->radius)) {
-        const double off = fabs(f->radius - o->radius);
+        const double off = fmax(0, fabs(f->radius - o->radius) - fabs(f->taper) / 2);
         if (off > most_contradiction * o->radius && off > 6 * f->radius_sigma) {
             TRY(status_fail(ERR_INPUT,
                             "the radius given, %.4g mm, contradicts the points: %.4g +- %.2g mm",
                             o->radius * 1e3, f->radius * 1e3, f->radius_sigma * 1e3));
         }
         report->radius_differs = off > told_contradiction * o->radius && off > 6 * f->radius_sigma;
-        f->free_radius = false;
-        f->radius = o->radius;
-        TRY(tube_fit_solve(f, fmax(reach, 2 * off), false, true));
+        if (!f->free_taper) { // else no one number is it
+            f->free_radius = false;
+            f->radius = o->radius;
+            TRY(tube_fit_solve(f, fmax(reach, 2 * off), false, true));
+        }
     }
 
 done:
@@ -224,6 +239,7 @@ status tube_centreline(const point_cloud *cloud, const tube_options *options, ce
     window.most_noise = isfinite(o.noise) ? 1.5 * o.noise : 0;
     TRY(follow(cloud, &o, &window, &f, report));
     TRY(tube_fit_solve(&f, fit_reach * f.radius, false, false));
+    judge_taper(&f);
     tell(&o, 0.8);
     TRY(find_ends(&f, &o, &base, &tip));
     const vec3 end[2] = {tube_curve_at(&f.curve, base.u, NULL, NULL),
@@ -234,6 +250,8 @@ status tube_centreline(const point_cloud *cloud, const tube_options *options, ce
     report->base_sigma = base.sigma;
     report->tip_sigma = tip.sigma;
     report->tip = tip.kind;
+    report->taper = f.taper;
+    report->taper_sigma = f.taper_sigma;
     tube_tell(&f, line, report);
     tell(&o, 1);
 

@@ -52,6 +52,7 @@ typedef struct tube_report {
     double coverage; // share of the surface that was seen
     double radius_free,
         radius_free_sigma; // what the points alone say, also where a radius was given
+    double taper, taper_sigma; // the radius at the tip less that at the base [m]; 0: one radius
     bool radius_differs;   // a given radius differs from that by more than 1 % and 6 sigma
     double smoothing;      // length that was used [m]
     double freedom;        // parameters that the points decided, of the line

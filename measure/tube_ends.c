@@ -144,7 +144,7 @@ static status look_at_cap(const tube_fit *f, int side, double end, cap *c)
 {
     status st = OK;
     vec3 t;
-    const double r = f->radius;
+    const double r = tube_fit_radius(f, end);
     const vec3 p = tube_curve_at(&f->curve, end, &t, NULL);
     t = vec3_scale(side / vec3_norm(t), t);
     TRY(TAKE(c->flat, f->count));

@@ -1,6 +1,6 @@
 // measure/tube_fit.c
 // The whole line at once: robust distances of all points from the tube, and a penalty on what is
-// rough. Unknowns are the coefficients, coefficient after coefficient, and the radius last.
+// rough. Unknowns are the coefficients, coefficient after coefficient, then the radius and its taper.
 #include "measure/tube_inside.h"
 #include "measure/tube_normal.h"
 
@@ -126,10 +126,13 @@ status tube_fit_make(const tube_grid *grid, const tube_trace *trace, const tube_
 {
     status st = OK;
     double *u = NULL;
+    const double first = trace->at[0].radius, last = trace->at[trace->count - 1].radius;
     tube_fit f = {.curve = {.door = door},
-                  .radius = trace->at[0].radius,
-                  .free_radius = trace->at[0].radius != options->radius, // or not given
+                  .radius = (first + last) / 2,
+                  .taper = last - first,
+                  .free_radius = first != options->radius || last != first, // or not given
                   .radius_sigma = 0,
+                  .free_taper = true,
                   .given_noise = options->noise,
                   .given_smoothing = options->smoothing};
     TRY(TAKE(u, (size_t)trace->count));
@@ -150,6 +153,11 @@ static int by_size(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
+double tube_fit_radius(const tube_fit *f, double u)
+{
+    return f->radius + f->taper * (u / f->curve.length - 0.5);
+}
+
 void tube_fit_residuals(tube_fit *f, double reach)
 {
     size_t n = 0;
@@ -158,7 +166,8 @@ void tube_fit_residuals(tube_fit *f, double reach)
         const double u = tube_curve_foot(&f->curve, q, f->u[i], 2);
         const bool on = u >= 0 && u <= f->curve.length;
         f->u[i] = u;
-        f->res[i] = on ? vec3_norm(vec3_sub(q, tube_curve_at(&f->curve, u, NULL, NULL))) - f->radius
+        f->res[i] = on ? vec3_norm(vec3_sub(q, tube_curve_at(&f->curve, u, NULL, NULL))) -
+                             tube_fit_radius(f, u)
                        : (double)INFINITY;
         if (fabs(f->res[i]) < reach) {
             f->work[n++] = fabs(f->res[i]);
@@ -193,11 +202,12 @@ static void move(tube_fit *f, const double *step, double *moved)
         sum += step[k] * step[k];
     }
     f->radius += step[3 * f->curve.ncoef];
+    f->taper += step[3 * f->curve.ncoef + 1];
     *moved = sqrt(sum / f->curve.ncoef);
     tube_curve_set(&f->curve);
 }
 
-status tube_fit_solve(tube_fit *f, double reach, bool choose, bool covariance)
+status tube_fit_solve(tube_fit *f, double reach, bool choose, bool last)
 {
     status st = OK;
     tube_normal n = {0};
@@ -209,7 +219,7 @@ status tube_fit_solve(tube_fit *f, double reach, bool choose, bool covariance)
     TRY(tube_normal_make(&f->curve, &n));
     for (int i = 0; i < MOST_ROUNDS && (i < LEAST_ROUNDS || moved > settled * f->noise); i++) {
         tube_fit_residuals(f, reach);
-        reach = fmax(fmin(fade * f->noise, reach), (covariance ? least_reach : first_reach) * r);
+        reach = fmax(fmin(fade * f->noise, reach), (last ? least_reach : first_reach) * r);
         weigh(f, reach);
         tube_normal_fill(f, &n);
         if (choose && !isfinite(f->given_smoothing) && i >= 2 && i < 2 + SMOOTHING_ROUNDS) {
@@ -225,9 +235,7 @@ status tube_fit_solve(tube_fit *f, double reach, bool choose, bool covariance)
         TRY(status_fail(ERR_NUMERIC, "the centreline does not settle: it still moves by %.3g mm",
                         moved * 1e3));
     }
-    if (covariance) {
-        TRY(tube_normal_covariance(f, &n, reach));
-    }
+    TRY(tube_normal_covariance(f, &n, reach));
 
 done:
     tube_normal_free(&n);
@@ -239,7 +247,7 @@ done:
 static double across(const tube_fit *f, double u, double v)
 {
     const tube_curve *c = &f->curve;
-    const size_t n = 3 * (size_t)c->ncoef + 1;
+    const size_t n = 3 * (size_t)c->ncoef + 2;
     double x = 0, y = 0, b[TUBE_ORDER], d[TUBE_ORDER], block[3][3] = {{0}};
     const int i = tube_curve_piece(c, u, &x), j = tube_curve_piece(c, v, &y);
     tube_curve_basis(c, i, x, 0, b);

@@ -68,6 +68,7 @@ status tube_seed(const point_cloud *cloud, const tube_options *options, tube_win
 typedef struct tube_trace {
     int count, ncylinder;
     tube_station *at; // [count] from the base on
+    double beyond, beyond_radius; // a tube of another radius goes on behind the last one [m]
 } tube_trace;
 
 status tube_trace_make(const tube_grid *grid, const tube_station *seed, const tube_options *options,
@@ -111,21 +112,25 @@ typedef struct tube_fit {
     double (*p)[3];                  // [count] points near the trace
     double *u, *res, *weight, *work; // [count] feet, residuals, weights
     tube_curve curve;
-    double radius;
+    double radius; // in the middle
     bool free_radius;
     double radius_sigma;
+    double taper; // the radius grows by it from the curve's begin to its end, straight
+    bool free_taper;
+    double taper_sigma;
     double given_noise, noise, smoothing, given_smoothing, freedom;
-    double *covariance; // [3 ncoef + 1]^2, of coefficients and radius
+    double *covariance; // [3 ncoef + 2]^2, of coefficients, radius and taper
 } tube_fit;
 
 status tube_fit_make(const tube_grid *grid, const tube_trace *trace, const tube_options *options,
                      const gsl_spline_door *door, tube_fit *out);
 void tube_fit_free(tube_fit *f);
+double tube_fit_radius(const tube_fit *f, double u);
 // feet, residuals and noise anew
 void tube_fit_residuals(tube_fit *f, double reach);
 // ends when the line moves by less than a 200th of the noise; `choose`: the smoothing, where
-// none is given
-status tube_fit_solve(tube_fit *f, double reach, bool choose, bool covariance);
+// none is given; `last`: points count as the noise alone says
+status tube_fit_solve(tube_fit *f, double reach, bool choose, bool last);
 // of the place at u across the line: root mean square of both directions
 double tube_fit_sigma(const tube_fit *f, double u);
 // mean correlation of the errors across the line at u and v

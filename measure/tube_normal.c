@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { LOCAL = 3 * TUBE_ORDER + 1, SMOOTHINGS = 16 };
+enum { LOCAL = 3 * TUBE_ORDER + 2, SMOOTHINGS = 16 };
 
 static const double least_smoothing = 0.25, smoothing_step = 1.25; // radii; between those tried
 // generalized cross-validation alone now and then follows the noise; freedom counted at 1.4 of its
@@ -21,7 +21,7 @@ static const double along_weight = 100; // of steps along the line, against thos
 status tube_normal_make(const tube_curve *c, tube_normal *out)
 {
     status st = OK;
-    tube_normal n = {.n = 3 * c->ncoef + 1};
+    tube_normal n = {.n = 3 * c->ncoef + 2};
     const size_t count = (size_t)n.n;
     TRY(TAKE(n.A, count * count));
     TRY(TAKE(n.g, count));
@@ -52,7 +52,7 @@ void tube_normal_free(tube_normal *n)
 // where the local unknowns stand among all
 static int place_of(const tube_normal *n, int piece, int k)
 {
-    return k == LOCAL - 1 ? n->n - 1 : 3 * piece + k;
+    return k < LOCAL - 2 ? 3 * piece + k : n->n - (LOCAL - k);
 }
 
 static void add_row(tube_normal *n, int piece, const double row[LOCAL], double weight, double res)
@@ -89,7 +89,7 @@ static void fill_along(const tube_curve *c, tube_normal *n)
     }
 }
 
-// d res = - n . B_j dc_j - d radius: the foot's own motion is across n   (9.5)
+// d res = - n . B_j dc_j - d radius(u): the foot's own motion is across n   (9.5)
 void tube_normal_fill(const tube_fit *f, tube_normal *n)
 {
     const tube_curve *c = &f->curve;
@@ -105,12 +105,13 @@ void tube_normal_fill(const tube_fit *f, tube_normal *n)
         double x = 0, b[TUBE_ORDER], row[LOCAL];
         const int piece = tube_curve_piece(c, f->u[i], &x);
         const vec3 p = tube_curve_at(c, f->u[i], NULL, NULL);
-        const double d = f->res[i] + f->radius;
+        const double d = f->res[i] + tube_fit_radius(f, f->u[i]);
         tube_curve_basis(c, piece, x, 0, b);
         for (int k = 0; k < 3 * TUBE_ORDER; k++) {
             row[k] = -b[k / 3] * (f->p[i][k % 3] - p.a[k % 3]) / d;
         }
-        row[LOCAL - 1] = -1;
+        row[LOCAL - 2] = -1;
+        row[LOCAL - 1] = 0.5 - f->u[i] / c->length;
         add_row(n, piece, row, f->weight[i], f->res[i]);
         n->sum += f->weight[i];
         n->square += f->weight[i] * f->res[i] * f->res[i];
@@ -121,6 +122,17 @@ void tube_normal_fill(const tube_fit *f, tube_normal *n)
         }
     }
     fill_along(c, n);
+}
+
+// leaves the unknown as it is: its inverse is nothing
+static void hold(tube_normal *n, size_t at)
+{
+    const size_t count = (size_t)n->n;
+    for (size_t k = 0; k < count; k++) {
+        n->work[k * count + at] = n->work[at * count + k] = 0;
+    }
+    n->work[at * count + at] = held * n->A[at * count + at];
+    n->step[at] = 0;
 }
 
 // (A + lambda P + along) step = -(g + lambda P c), lambda = (weight per length) smoothing^6   (9.6)
@@ -146,11 +158,10 @@ status tube_normal_step(const tube_fit *f, tube_normal *n, bool invert)
         }
     }
     if (!f->free_radius) {
-        for (size_t k = 0; k < count; k++) {
-            n->work[k * count + count - 1] = n->work[(count - 1) * count + k] = 0;
-        }
-        n->work[count * count - 1] = held * n->A[count * count - 1]; // its inverse is nothing
-        n->step[count - 1] = 0;
+        hold(n, count - 2);
+    }
+    if (!f->free_taper) {
+        hold(n, count - 1);
     }
     return c->door->solve(n->n, n->work, n->step, invert);
 }
@@ -229,7 +240,8 @@ status tube_normal_covariance(tube_fit *f, tube_normal *n, double reach)
     for (size_t k = 0; k < count * count; k++) {
         f->covariance[k] = variance * n->work[k];
     }
-    f->radius_sigma = f->free_radius ? sqrt(f->covariance[count * count - 1]) : 0;
+    f->radius_sigma = f->free_radius ? sqrt(f->covariance[(count - 2) * (count + 1)]) : 0;
+    f->taper_sigma = f->free_taper ? sqrt(f->covariance[count * count - 1]) : 0;
 
 done:
     return st;

@@ -4,7 +4,7 @@
 #include "measure/tube_inside.h"
 
 typedef struct tube_normal {
-    int n;               // 3 ncoef + 1: coefficients, radius
+    int n;               // 3 ncoef + 2: coefficients, radius, its taper
     double *A, *g;       // sum of w J^T J, of w J^T residual
     double *rough;       // [ncoef]^2 integral of third derivatives' products
     double *along;       // [n]^2 steps along the line, which the points do not decide

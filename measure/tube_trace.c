@@ -13,6 +13,8 @@ static const double stride = 1;                             // radii from one cy
 static const double trace_reach = 0.35, bridge_reach = 0.6; // radii: from the predicted surface
 static const double most_shift = 0.7; // radii that a cylinder may lie off its prediction
 static const double most_turn = 0.6;  // rad
+// a body's radius may drift: by so much from one cylinder to the next, and from the first one
+static const double most_step = 0.04, most_drift = 0.15;
 static const double weak_shift = 0.2, weak_turn = 0.25; // of a strip: it must go where it should
 static const double near_base = 4;                      // radii: cylinders that may be the clamp's
 
@@ -20,6 +22,7 @@ typedef struct walk {
     const tube_grid *grid;
     const tube_options *options;
     tube_window *window;
+    double radius; // of the first cylinder
     uint32_t *near;
     int count, ncylinder;
     tube_station *at; // [MOST_STATIONS]
@@ -35,16 +38,32 @@ static void fill_window(walk *w, vec3 c, double reach)
     }
 }
 
-static status fit_at(walk *w, const tube_station *start, double reach, tube_station *out)
+static status fit_at(walk *w, const tube_station *start, double reach, bool free_radius,
+                     tube_station *out)
 {
     *out = *start;
     fill_window(w, start->c, 2.1 * start->radius);
     w->ncylinder++;
-    const status st = tube_station_fit(w->window, reach * start->radius, false, out);
+    const status st = tube_station_fit(w->window, reach * start->radius, free_radius, out);
     const double turn = acos(fmin(1, vec3_dot(out->t, start->t)));
     const double shift = vec3_norm(vec3_sub(out->c, start->c)) / start->radius;
     out->good = (out->good && shift < most_shift && turn < most_turn) ||
-                (out->weak && shift < weak_shift && turn < weak_turn);
+                (out->weak && !free_radius && shift < weak_shift && turn < weak_turn);
+    return st;
+}
+
+// with the last one's radius; where that does not do, with one that has drifted from it
+static status fit_drifting(walk *w, const tube_station *start, double reach, tube_station *out)
+{
+    status st = OK;
+    TRY(fit_at(w, start, reach, false, out));
+    if (!out->good) {
+        TRY(fit_at(w, start, reach, true, out));
+        out->good = out->good && fabs(out->radius - start->radius) < most_step * start->radius &&
+                    fabs(out->radius - w->radius) < most_drift * w->radius;
+    }
+
+done:
     return st;
 }
 
@@ -85,7 +104,7 @@ static status go(walk *w, const tube_station *seed, double sign)
         if (is_past(w, &guess, sign, walked + gap)) {
             break;
         }
-        TRY(fit_at(w, &guess, gap > 0 ? bridge_reach : trace_reach, &next));
+        TRY(fit_drifting(w, &guess, gap > 0 ? bridge_reach : trace_reach, &next));
         if (!next.good) {
             gap += 0.5 * stride * r;
             continue;
@@ -136,11 +155,11 @@ status tube_trace_make(const tube_grid *grid, const tube_station *seed, const tu
                        tube_window *window, tube_trace *out)
 {
     status st = OK;
-    walk w = {.grid = grid, .options = options, .window = window};
+    walk w = {.grid = grid, .options = options, .window = window, .radius = seed->radius};
     tube_station first = *seed;
     TRY(TAKE(w.near, grid->count));
     TRY(TAKE(w.at, MOST_STATIONS));
-    TRY(fit_at(&w, seed, trace_reach, &first));
+    TRY(fit_at(&w, seed, trace_reach, false, &first));
     first = first.good ? first : *seed;
     TRY(go(&w, &first, -1));
     turn_round(w.at, w.count);

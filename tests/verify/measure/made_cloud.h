@@ -89,7 +89,8 @@ static inline vec3 made_view(const made_line *line)
 typedef enum made_cap { MADE_OPEN, MADE_FLAT, MADE_ROUND } made_cap;
 
 typedef struct made_scan {
-    double radius;
+    double radius; // in the middle
+    double taper;  // that at the tip less that at the base
     size_t count;   // points on the tube, before any are taken away
     double noise;   // deviation in every direction [m]
     double missing; // share of the surface in patches without points
@@ -165,7 +166,8 @@ static inline void made_patches(made_work *w)
 // a bent tube has more surface outside: a place is kept by its share of area
 static inline void made_tube_point(made_work *w)
 {
-    const double r = w->scan->radius, s = made_uniform(w, 0, w->line->length);
+    const double s = made_uniform(w, 0, w->line->length);
+    const double r = w->scan->radius + w->scan->taper * (s / w->line->length - 0.5);
     const double angle = made_uniform(w, 0, 2 * M_PI);
     const pose g = made_line_at(w->line, s);
     const pose g1 = made_line_at(w->line, s + 1e-5);
