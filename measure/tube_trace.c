@@ -14,7 +14,8 @@ static const double trace_reach = 0.35, bridge_reach = 0.6; // radii: from the p
 static const double most_shift = 0.7; // radii that a cylinder may lie off its prediction
 static const double most_turn = 0.6;  // rad
 // a body's radius may drift: by so much from one cylinder to the next, and from the first one
-static const double most_step = 0.04, most_drift = 0.15;
+static const double most_step = 0.08, most_drift = 0.15;
+static const double worse = 1.3; // noise of a cylinder against the least so far: it may have drifted
 static const double weak_shift = 0.2, weak_turn = 0.25; // of a strip: it must go where it should
 static const double near_base = 4;                      // radii: cylinders that may be the clamp's
 
@@ -23,6 +24,7 @@ typedef struct walk {
     const tube_options *options;
     tube_window *window;
     double radius; // of the first cylinder
+    double noise;  // least of a cylinder so far
     uint32_t *near;
     int count, ncylinder;
     tube_station *at; // [MOST_STATIONS]
@@ -56,12 +58,15 @@ static status fit_at(walk *w, const tube_station *start, double reach, bool free
 static status fit_drifting(walk *w, const tube_station *start, double reach, tube_station *out)
 {
     status st = OK;
+    tube_station other;
     TRY(fit_at(w, start, reach, false, out));
-    if (!out->good) {
-        TRY(fit_at(w, start, reach, true, out));
-        out->good = out->good && fabs(out->radius - start->radius) < most_step * start->radius &&
-                    fabs(out->radius - w->radius) < most_drift * w->radius;
+    if (!out->good || out->noise > worse * w->noise) {
+        TRY(fit_at(w, start, reach, true, &other));
+        const bool near = fabs(other.radius - start->radius) < most_step * start->radius &&
+                          fabs(other.radius - w->radius) < most_drift * w->radius;
+        *out = other.good && near && (!out->good || worse * other.noise < out->noise) ? other : *out;
     }
+    w->noise = out->good ? fmin(w->noise, out->noise) : w->noise;
 
 done:
     return st;
@@ -161,6 +166,7 @@ status tube_trace_make(const tube_grid *grid, const tube_station *seed, const tu
     TRY(TAKE(w.at, MOST_STATIONS));
     TRY(fit_at(&w, seed, trace_reach, false, &first));
     first = first.good ? first : *seed;
+    w.noise = first.noise;
     TRY(go(&w, &first, -1));
     turn_round(w.at, w.count);
     w.at[w.count++] = first;
