@@ -143,8 +143,8 @@ double scan_plate_height_sigma(const cloud_plane *plate, vec3 at)
     return sigma;
 }
 
-// the points above the plate, fewer of them, seen from its centre
-static status above_plate(const point_cloud *cloud, const cloud_plane *p, double beyond,
+// the points above the plate and below `top`, fewer of them, seen from its centre
+static status above_plate(const point_cloud *cloud, const cloud_plane *p, double beyond, double top,
                           point_cloud *out)
 {
     enum { ENOUGH = 150000 };
@@ -153,7 +153,8 @@ static status above_plate(const point_cloud *cloud, const cloud_plane *p, double
     TRY(TAKE(out->p, cloud->count / step + 1));
     for (size_t i = 0; i < cloud->count; i += step) {
         const vec3 at = point_at(cloud, i), d = vec3_sub(at, p->centre);
-        if (height(p, at) > beyond) {
+        const double h = height(p, at);
+        if (h > beyond && h < top) {
             memcpy(out->p[out->count++], d.a, sizeof d.a);
         }
     }
@@ -162,9 +163,9 @@ done:
     return st;
 }
 
-// Where the body meets the plate, from a first line of it without the plate.
-static status find_foot(const point_cloud *cloud, const cloud_plane *p, double beyond,
-                        const tube_options *o, vec3 *foot)
+// from a first line without the plate, of what is below `top`
+static status foot_below(const point_cloud *cloud, const cloud_plane *p, double beyond, double top,
+                         const tube_options *o, vec3 *foot)
 {
     status st = OK;
     point_cloud above = {0};
@@ -175,7 +176,7 @@ static status find_foot(const point_cloud *cloud, const cloud_plane *p, double b
     rough.progress = NULL;
     rough.base = (vec3){{NAN, NAN, NAN}};
     rough.direction = rough.base;
-    TRY(above_plate(cloud, p, beyond, &above));
+    TRY(above_plate(cloud, p, beyond, top, &above));
     TRY(tube_centreline(&above, &rough, &line, &report));
     const bool reversed = height(p, vec3_add(line.p[0], p->centre)) >
                           height(p, vec3_add(line.p[line.count - 1], p->centre));
@@ -188,6 +189,20 @@ done:
     centreline_free(&line);
     point_cloud_free(&above);
     return st;
+}
+
+// Where the body meets the plate: its first stretch is looked for alone, so that a hand further up
+// is no second tube; then all of it.
+static status find_foot(const point_cloud *cloud, const cloud_plane *p, double beyond,
+                        const tube_options *o, vec3 *foot)
+{
+    static const double FIRST_STRETCH = 8; // radii
+    if (!isnan(o->radius) &&
+        foot_below(cloud, p, beyond, FIRST_STRETCH * o->radius, o, foot) == OK) {
+        return OK;
+    }
+    status_clear();
+    return foot_below(cloud, p, beyond, INFINITY, o, foot);
 }
 
 status scan_find_plate(const point_cloud *cloud, const scan_settings *settings, tube_options *o,

@@ -11,7 +11,10 @@ enum { END_STEPS = 8 };
 static const double shortest = 4;              // radii: less is no body whose line could be told
 static const double fit_reach = 0.3;           // radii: from the traced surface
 static const double most_contradiction = 0.05; // of a given radius: more is a mistake
-static const double told_taper = 0.005;        // of the radius: less, or less than the noise, is none
+static const double told_taper = 0.005; // of the radius: less, or less than the noise, is none
+// of the expected length: tendons shorten a body by some per cent less
+static const double told_missing = 0.02;
+static const double told_beyond = 2;           // radii: of another tube behind the tip
 static const double told_contradiction = 0.01; // more is told, where the points are sure of it
 
 tube_options tube_options_default(void)
@@ -99,8 +102,7 @@ done:
 static void judge_taper(tube_fit *f)
 {
     const double size = fabs(f->taper);
-    f->free_taper = size > 6 * f->taper_sigma &&
-                    size > fmin(told_taper * f->radius, 2 * f->noise);
+    f->free_taper = size > 6 * f->taper_sigma && size > fmin(told_taper * f->radius, 2 * f->noise);
     f->taper = f->free_taper ? f->taper : 0;
 }
 
@@ -163,9 +165,18 @@ static double correlation_length(const tube_fit *f)
     return middle;
 }
 
+// straight on beyond its end
+static vec3 place_at(const tube_curve *c, double s)
+{
+    vec3 t;
+    const vec3 p = tube_curve_at(c, fmin(s, c->length), &t, NULL);
+    return vec3_add_scaled(p, fmax(0, s - c->length) / vec3_norm(t), t);
+}
+
 // between the feet of both ends: the last steps may have moved the line along itself
+// end[1] and on straight over the cap that closes the tip
 static status sample_line(const tube_fit *f, const tube_options *o, const vec3 end[2],
-                          centreline *line)
+                          double straight, centreline *line)
 {
     status st = OK;
     tube_curve even = {0};
@@ -173,14 +184,15 @@ static status sample_line(const tube_fit *f, const tube_options *o, const vec3 e
     const double spacing = isfinite(o->spacing) ? o->spacing : f->radius / 4;
     const double from =
         o->base_is_plane ? plane_foot(c, o) : tube_curve_foot(c, end[0], 0, END_STEPS);
-    TRY(tube_curve_cut(c, from, tube_curve_foot(c, end[1], c->length, END_STEPS), f->radius,
-                       &even));
-    const double most = 1e5, steps = fmin(most, fmax(4, ceil(even.length / spacing)));
+    TRY(tube_curve_cut(c, from, tube_curve_foot(c, end[1], c->length - straight, END_STEPS),
+                       f->radius, &even));
+    const double length = even.length + straight;
+    const double most = 1e5, steps = fmin(most, fmax(4, ceil(length / spacing)));
     const int n = (int)steps + 1;
     TRY(centreline_make(n, line));
     for (int i = 0; i < n; i++) {
-        line->s[i] = even.length * i / (n - 1);
-        line->p[i] = tube_curve_at(&even, line->s[i], NULL, NULL);
+        line->s[i] = length * i / (n - 1);
+        line->p[i] = place_at(&even, line->s[i]);
         line->sigma[i] = tube_fit_sigma(f, c->length * i / (n - 1));
     }
     line->radius = f->radius;
@@ -190,6 +202,17 @@ static status sample_line(const tube_fit *f, const tube_options *o, const vec3 e
 done:
     tube_curve_free(&even);
     return st;
+}
+
+static void tell_length(const tube_options *o, tube_report *report)
+{
+    report->missing = o->length - report->length;
+    report->length_differs = fabs(report->missing) > told_missing * o->length &&
+                             fabs(report->missing) > 6 * report->length_sigma;
+    if (report->length_differs) { // one of the two is wrong by it
+        report->tip_sigma = hypot(report->tip_sigma, report->missing);
+        report->length_sigma = hypot(report->length_sigma, report->missing);
+    }
 }
 
 static status follow(const point_cloud *cloud, const tube_options *o, tube_window *window,
@@ -205,6 +228,10 @@ static status follow(const point_cloud *cloud, const tube_options *o, tube_windo
     tell(o, 0.3);
     TRY(tube_trace_make(&grid, &seed, o, window, &trace));
     report->ncylinder = trace.ncylinder;
+    if (trace.beyond.length > told_beyond * seed.radius) {
+        report->beyond = trace.beyond.length;
+        report->beyond_radius = trace.beyond.radius;
+    }
     if (traced_length(&trace) < (shortest - 1.5) * seed.radius) {
         TRY(status_fail(ERR_FILE, "no tube: what looks like one ends after %.3g mm",
                         traced_length(&trace) * 1e3));
@@ -243,16 +270,17 @@ status tube_centreline(const point_cloud *cloud, const tube_options *options, ce
     tell(&o, 0.8);
     TRY(find_ends(&f, &o, &base, &tip));
     const vec3 end[2] = {tube_curve_at(&f.curve, base.u, NULL, NULL),
-                         tube_curve_at(&f.curve, tip.u, NULL, NULL)};
+                         tube_curve_at(&f.curve, tip.u - tip.straight, NULL, NULL)};
     TRY(cut_at_ends(&f, &base, &tip));
     TRY(solve_cut(&f, &o, report));
-    TRY(sample_line(&f, &o, end, line));
+    TRY(sample_line(&f, &o, end, tip.straight, line));
     report->base_sigma = base.sigma;
     report->tip_sigma = tip.sigma;
     report->tip = tip.kind;
     report->taper = f.taper;
     report->taper_sigma = f.taper_sigma;
     tube_tell(&f, line, report);
+    tell_length(&o, report);
     tell(&o, 1);
 
 done:

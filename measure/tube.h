@@ -43,7 +43,9 @@ typedef struct tube_report {
     size_t stray; // of these, not: something else's
     int ncylinder;       // fitted while tracing
     double length;       // of the line [m]
-    double length_sigma; // from both ends' [m]
+    double missing;      // of the expected length [m]; NAN: none was given
+    bool length_differs; // it is much: not all of the tip is seen, or another length is meant
+    double length_sigma; // from both ends', and what is missing [m]
     double base_sigma,
         tip_sigma;   // of the ends along the line [m]; base_sigma 0: given by the plane
     int tip;         // tube_tip: what closes the tip
@@ -51,11 +53,13 @@ typedef struct tube_report {
     double noise;    // of one point across the surface, robustly [m]
     double coverage; // share of the surface that was seen
     double radius_free,
-        radius_free_sigma; // what the points alone say, also where a radius was given
+        radius_free_sigma;     // what the points alone say, also where a radius was given
     double taper, taper_sigma; // the radius at the tip less that at the base [m]; 0: one radius
-    bool radius_differs;   // a given radius differs from that by more than 1 % and 6 sigma
-    double smoothing;      // length that was used [m]
-    double freedom;        // parameters that the points decided, of the line
+    double beyond,
+        beyond_radius;   // a tube of another radius goes on behind the tip, so far [m]; 0: none
+    bool radius_differs; // a given radius differs from that by more than 1 % and 6 sigma
+    double smoothing;    // length that was used [m]
+    double freedom;      // parameters that the points decided, of the line
     int ngap;
     tube_gap gap[TUBE_MOST_GAPS];
 } tube_report;

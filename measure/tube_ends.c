@@ -186,6 +186,7 @@ static status close_end(const tube_fit *f, int side, tube_end *out)
     const size_t most = flat > round ? flat : round;
     if (most >= CAP_POINTS && 2 * most > c.count) {
         out->kind = flat > round ? TUBE_TIP_FLAT : TUBE_TIP_ROUND;
+        out->straight = flat > round ? 0 : tube_fit_radius(f, out->u);
         out->u += side * (flat > round ? c.flat : c.round)[c.count / 2];
         // a median's deviation; a half ball's points are at a slope
         out->sigma = (flat > round ? 1.25 : 1.8) * f->noise / sqrt((double)most);

@@ -1,6 +1,7 @@
 // measure/tube_fit.c
 // The whole line at once: robust distances of all points from the tube, and a penalty on what is
-// rough. Unknowns are the coefficients, coefficient after coefficient, then the radius and its taper.
+// rough. Unknowns are the coefficients, coefficient after coefficient, then the radius and its
+// taper.
 #include "measure/tube_inside.h"
 #include "measure/tube_normal.h"
 

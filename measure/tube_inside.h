@@ -65,10 +65,14 @@ tube_station tube_station_ahead(const tube_station *s, double h);
 status tube_seed(const point_cloud *cloud, const tube_options *options, tube_window *window,
                  tube_station *out);
 
+typedef struct tube_beyond {
+    double length, radius; // of a tube of another radius that goes on [m]
+} tube_beyond;
+
 typedef struct tube_trace {
     int count, ncylinder;
-    tube_station *at; // [count] from the base on
-    double beyond, beyond_radius; // a tube of another radius goes on behind the last one [m]
+    tube_station *at;   // [count] from the base on
+    tube_beyond beyond; // behind the last one
 } tube_trace;
 
 status tube_trace_make(const tube_grid *grid, const tube_station *seed, const tube_options *options,
@@ -140,7 +144,8 @@ double tube_fit_correlation(const tube_fit *f, double u, double v);
 
 typedef struct tube_end {
     double u, sigma;
-    int kind; // tube_tip
+    int kind;        // tube_tip
+    double straight; // of the line before it: a half ball's radius
 } tube_end;
 
 // at the curve's end (side 1) or begin (side -1)

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_STATIONS = 20000 };
+enum { MOST_STATIONS = 20000, MOST_BEYOND = 200 };
 
 static const double stride = 1;                             // radii from one cylinder to the next
 static const double trace_reach = 0.35, bridge_reach = 0.6; // radii: from the predicted surface
@@ -15,7 +15,8 @@ static const double most_shift = 0.7; // radii that a cylinder may lie off its p
 static const double most_turn = 0.6;  // rad
 // a body's radius may drift: by so much from one cylinder to the next, and from the first one
 static const double most_step = 0.08, most_drift = 0.15;
-static const double worse = 1.3; // noise of a cylinder against the least so far: it may have drifted
+static const double worse =
+    1.3; // noise of a cylinder against the least so far: it may have drifted
 static const double weak_shift = 0.2, weak_turn = 0.25; // of a strip: it must go where it should
 static const double near_base = 4;                      // radii: cylinders that may be the clamp's
 
@@ -28,6 +29,7 @@ typedef struct walk {
     uint32_t *near;
     int count, ncylinder;
     tube_station *at; // [MOST_STATIONS]
+    tube_beyond beyond[2];
 } walk;
 
 static void fill_window(walk *w, vec3 c, double reach)
@@ -64,7 +66,8 @@ static status fit_drifting(walk *w, const tube_station *start, double reach, tub
         TRY(fit_at(w, start, reach, true, &other));
         const bool near = fabs(other.radius - start->radius) < most_step * start->radius &&
                           fabs(other.radius - w->radius) < most_drift * w->radius;
-        *out = other.good && near && (!out->good || worse * other.noise < out->noise) ? other : *out;
+        *out =
+            other.good && near && (!out->good || worse * other.noise < out->noise) ? other : *out;
     }
     w->noise = out->good ? fmin(w->noise, out->noise) : w->noise;
 
@@ -95,6 +98,33 @@ static bool has_been_here(const walk *w, const tube_station *s)
     return false;
 }
 
+// where the tube has ended another one may go on, of any radius
+static status look_beyond(walk *w, const tube_station *end, double sign, tube_beyond *out)
+{
+    status st = OK;
+    tube_station last = *end;
+    double ahead = 1;
+    for (int i = 0; i < MOST_BEYOND && ahead <= 3; i++) {
+        const tube_station guess = tube_station_ahead(&last, sign * ahead * last.radius);
+        tube_station next;
+        if (is_past(w, &guess, sign, 0)) {
+            break;
+        }
+        TRY(fit_at(w, &guess, bridge_reach, true, &next));
+        if (!next.good || has_been_here(w, &next)) {
+            ahead += 0.5;
+            continue;
+        }
+        out->length += vec3_norm(vec3_sub(next.c, last.c));
+        out->radius = next.radius;
+        last = next;
+        ahead = 1;
+    }
+
+done:
+    return st;
+}
+
 // on from the last station; `sign` -1: against its direction
 static status go(walk *w, const tube_station *seed, double sign)
 {
@@ -122,6 +152,9 @@ static status go(walk *w, const tube_station *seed, double sign)
         gap = 0;
         w->at[w->count++] = next;
     }
+    if (gap > most_gap) {
+        TRY(look_beyond(w, &last, sign, &w->beyond[sign > 0]));
+    }
 
 done:
     return st;
@@ -142,11 +175,12 @@ static double from_place(const tube_station *s, vec3 place)
 }
 
 // the base comes first, directions lead away from it
-static void put_in_order(const tube_options *o, tube_trace *t)
+static void put_in_order(const tube_options *o, tube_beyond before, tube_trace *t)
 {
     const vec3 place = isfinite(o->base.a[0]) ? o->base : (vec3){{0, 0, 0}};
     if (from_place(&t->at[t->count - 1], place) < from_place(&t->at[0], place)) {
         turn_round(t->at, t->count);
+        t->beyond = before;
     }
     for (int i = 0; i < t->count; i++) {
         const int j = i + 1 < t->count ? i : i - 1;
@@ -171,9 +205,10 @@ status tube_trace_make(const tube_grid *grid, const tube_station *seed, const tu
     turn_round(w.at, w.count);
     w.at[w.count++] = first;
     TRY(go(&w, &first, 1));
-    *out = (tube_trace){.count = w.count, .ncylinder = w.ncylinder, .at = w.at};
+    *out =
+        (tube_trace){.count = w.count, .ncylinder = w.ncylinder, .at = w.at, .beyond = w.beyond[1]};
     w.at = NULL;
-    put_in_order(options, out);
+    put_in_order(options, w.beyond[0], out);
 
 done:
     free(w.near);

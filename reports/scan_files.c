@@ -49,6 +49,11 @@ static status write_csv(const scan_result *r, const char *dir)
     if (st == OK) {
         write_notes(r, c);
     }
+    char remark[SCAN_REMARKS][SCAN_REMARK_ROOM];
+    const int nremark = st == OK ? scan_remarks(r, remark) : 0;
+    for (int i = 0; i < nremark; i++) {
+        csv_remark(c, remark[i]);
+    }
     for (int i = 0; st == OK && i < r->line.count; i++) {
         csv_real(c, 1e3 * r->line.s[i]);
         for (int d = 0; d < 3; d++) {

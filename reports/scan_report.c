@@ -80,6 +80,11 @@ static void print_body(const scan_result *r, FILE *f)
     }
     fprintf(f, "         length %.3f +- %.3f mm, %s tip\n", 1e3 * t->length, 1e3 * t->length_sigma,
             tips[t->tip]);
+    char remark[SCAN_REMARKS][SCAN_REMARK_ROOM];
+    const int nremark = scan_remarks(r, remark);
+    for (int i = 0; i < nremark; i++) {
+        fprintf(f, "         %s\n", remark[i]);
+    }
     fprintf(f, "fit      rms %.4f mm, noise of a point %.4f mm, %.0f %% of the surface seen\n",
             1e3 * t->rms, 1e3 * t->noise, 100 * t->coverage);
     const tube_gap *gap = scan_worst_gap(r);
@@ -151,6 +156,19 @@ static void json_body(json *j, const scan_result *r)
     json_real(j, "length_m", t->length);
     json_real(j, "length_sigma_m", t->length_sigma);
     json_text(j, "tip", tips[t->tip]);
+    json_real(j, "missing_of_stated_length_m", t->missing);
+    json_flag(j, "length_differs", t->length_differs);
+    json_real(j, "taper_m", t->taper);
+    json_real(j, "taper_sigma_m", t->taper_sigma);
+    json_real(j, "beyond_tip_m", t->beyond);
+    json_real(j, "beyond_tip_radius_m", t->beyond_radius);
+    char remark[SCAN_REMARKS][SCAN_REMARK_ROOM];
+    const int nremark = scan_remarks(r, remark);
+    json_array(j, "remarks");
+    for (int i = 0; i < nremark; i++) {
+        json_text(j, NULL, remark[i]);
+    }
+    json_array_end(j);
     json_object_end(j);
     json_object(j, "fit");
     json_integer(j, "points_thinned", (long)t->thinned);

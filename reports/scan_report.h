@@ -20,6 +20,10 @@ typedef struct scan_named {
 status scan_files(const char *directory, const void *named); // a scan_named
 status figure_scan(const scan_named *scan, const char *directory);
 
+// What is to be doubted, a sentence each: how many.
+enum { SCAN_REMARKS = 5, SCAN_REMARK_ROOM = 160 };
+int scan_remarks(const scan_result *r, char text[SCAN_REMARKS][SCAN_REMARK_ROOM]);
+
 // What the frame stands on, in words.
 const char *scan_frame_words(const scan_result *r);
 // The longest stretch without points; NULL: none.

@@ -89,8 +89,8 @@ static inline vec3 made_view(const made_line *line)
 typedef enum made_cap { MADE_OPEN, MADE_FLAT, MADE_ROUND } made_cap;
 
 typedef struct made_scan {
-    double radius; // in the middle
-    double taper;  // that at the tip less that at the base
+    double radius;  // in the middle
+    double taper;   // that at the tip less that at the base
     size_t count;   // points on the tube, before any are taken away
     double noise;   // deviation in every direction [m]
     double missing; // share of the surface in patches without points

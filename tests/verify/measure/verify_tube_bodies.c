@@ -38,10 +38,108 @@ static void a_taper_is_followed(const made_line *line)
     trial_free(&t);
 }
 
+// one cloud from two
+static point_cloud both(const made_line *line, const made_scan *a, const made_scan *b)
+{
+    point_cloud one = {0}, two = {0}, all = {0};
+    CHECK_OK(made_cloud(line, a, &one));
+    CHECK_OK(made_cloud(line, b, &two));
+    all.p = malloc((one.count + two.count) * sizeof *all.p);
+    if (all.p && one.p && two.p) {
+        memcpy(all.p, one.p, one.count * sizeof *one.p);
+        memcpy(all.p + one.count, two.p, two.count * sizeof *two.p);
+        all.count = one.count + two.count;
+    }
+    point_cloud_free(&one);
+    point_cloud_free(&two);
+    return all;
+}
+
+// 80 mm of 4 mm radius, then 40 mm of 3 mm: the line ends at the step, and that is told
+static void another_tube_beyond_the_tip_is_told(const made_line *line)
+{
+    for (unsigned long seed = 1; seed <= 3; seed++) {
+        made_scan thick = usual, thin = usual;
+        thick.gap[0] = 80e-3, thick.gap[1] = 1;
+        thin.gap[1] = 80e-3;
+        thin.radius = 3e-3;
+        thick.missing = thin.missing = 0;
+        thick.seed = seed, thin.seed = seed + 50;
+        point_cloud cloud = both(line, &thick, &thin);
+        tube_trial t = {0};
+        const tube_options o = trial_options(seed == 1 ? 4e-3 : NAN);
+        t.st = tube_centreline(&cloud, &o, &t.line, &t.report);
+        CHECK(t.st == OK);
+        status_clear();
+        printf("a step: length %.3f mm, then %.3f mm of %.3f mm\n", 1e3 * t.report.length,
+               1e3 * t.report.beyond, 1e3 * t.report.beyond_radius);
+        CHECK_WITHIN(t.report.length, 80e-3, 1e-3);
+        CHECK_WITHIN(t.report.beyond, 40e-3, 8e-3); // between cylinders, 1.25 radii over both ends
+        CHECK_WITHIN(t.report.beyond_radius, 3e-3, 0.05e-3);
+        trial_free(&t);
+        point_cloud_free(&cloud);
+    }
+    made_scan whole = usual;
+    whole.cap = MADE_ROUND;
+    const tube_options o = trial_options(NAN);
+    tube_trial t = trial_of(line, &whole, &o);
+    CHECK(t.st == OK && t.report.beyond == 0);
+    status_clear();
+    trial_free(&t);
+}
+
+// 12 mm of the stated length are not in the cloud
+static void a_missing_tip_is_told(const made_line *line)
+{
+    made_scan scan = usual;
+    tube_options o = trial_options(4e-3);
+    for (int missing = 0; missing < 2; missing++) {
+        o.length = line->length;
+        scan.gap[0] = missing ? 108e-3 : 0;
+        scan.gap[1] = missing ? 1 : 0;
+        tube_trial t = trial_of(line, &scan, &o);
+        CHECK(t.st == OK);
+        status_clear();
+        printf("%d: %.3f +- %.3f mm\n", missing, 1e3 * t.report.length,
+               1e3 * t.report.length_sigma);
+        CHECK(t.report.length_differs == (missing == 1));
+        CHECK_WITHIN(t.report.missing, missing ? 12e-3 : 0, 0.2e-3);
+        CHECK(missing ? t.report.length_sigma > 11e-3 : t.report.length_sigma < 0.1e-3);
+        trial_free(&t);
+    }
+}
+
+// over the half ball the line goes straight on, from a body bent by 33 1/m
+static void over_a_ball_the_line_is_straight(void)
+{
+    static made_line line;
+    const double arc[3] = {226 / 180.0 * M_PI / 0.12, 0, 0};
+    made_line_make(0.12, made_arc, arc, &line);
+    for (unsigned long seed = 1; seed <= 4; seed++) {
+        made_scan scan = usual;
+        scan.cap = MADE_ROUND;
+        scan.missing = 0;
+        scan.seed = seed;
+        const tube_options o = trial_options(4e-3);
+        tube_trial t = trial_of(&line, &scan, &o);
+        CHECK(t.st == OK && t.report.tip == TUBE_TIP_ROUND);
+        status_clear();
+        const pose end = made_line_at(&line, line.length);
+        const vec3 pole = vec3_add(end.p, mat3_mul_vec(end.R, (vec3){{0, 0, 4e-3}}));
+        const double off = vec3_norm(vec3_sub(t.line.p[t.line.count - 1], pole));
+        printf("a ball: %.4f mm from its pole\n", 1e3 * off);
+        CHECK(off < 0.1e-3); // 0.3 mm where the curve went on
+        trial_free(&t);
+    }
+}
+
 int main(void)
 {
     static made_line prototype;
     made_line_make(0.12, made_prototype, NULL, &prototype);
     a_taper_is_followed(&prototype);
+    another_tube_beyond_the_tip_is_told(&prototype);
+    a_missing_tip_is_told(&prototype);
+    over_a_ball_the_line_is_straight();
     return test_failures != 0;
 }
