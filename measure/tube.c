@@ -14,6 +14,7 @@ static const double most_contradiction = 0.05; // of a given radius: more is a m
 static const double told_taper = 0.005; // of the radius: less, or less than the noise, is none
 // of the expected length: tendons shorten a body by some per cent less
 static const double told_missing = 0.02;
+static const double longest_gap = 6;           // radii
 static const double told_beyond = 2;           // radii: of another tube behind the tip
 static const double told_contradiction = 0.01; // more is told, where the points are sure of it
 
@@ -204,6 +205,35 @@ done:
     return st;
 }
 
+// What is not seen is bridged up to a length, and must end where it was said to.
+static status bridge(const tube_fit *f, const tube_options *o, centreline *line,
+                     tube_report *report)
+{
+    status st = OK;
+    double unseen = 0;
+    TRY(tube_bridge(f, line, &unseen));
+    report->unseen_base = unseen;
+    if (o->base_is_plane && unseen > 0.5 * f->radius) {
+        const double most = isfinite(o->longest_gap) ? o->longest_gap : longest_gap * f->radius;
+        const double away = vec3_norm(vec3_sub(line->p[0], o->base));
+        if (unseen > most || away > f->radius) {
+            TRY(status_fail(ERR_FILE,
+                            "no points on the first %.3g mm from the base; bridged, the line comes "
+                            "%.3g mm beside it",
+                            unseen * 1e3, away * 1e3));
+        }
+        // it bends off by e over the length: longer by so much, and where the plane cuts it
+        const double e = line->sigma[0];
+        const vec3 t = vec3_sub(line->p[1], line->p[0]);
+        const double along = fabs(vec3_dot(t, o->direction)) / vec3_norm(t);
+        const double tilt = sqrt(fmax(0, 1 - along * along)) / fmax(along, 0.1);
+        report->base_sigma = hypot(report->base_sigma, e * tilt + 2 * e * e / unseen);
+    }
+
+done:
+    return st;
+}
+
 static void tell_length(const tube_options *o, tube_report *report)
 {
     report->missing = o->length - report->length;
@@ -275,6 +305,7 @@ status tube_centreline(const point_cloud *cloud, const tube_options *options, ce
     TRY(solve_cut(&f, &o, report));
     TRY(sample_line(&f, &o, end, tip.straight, line));
     report->base_sigma = base.sigma;
+    TRY(bridge(&f, &o, line, report));
     report->tip_sigma = tip.sigma;
     report->tip = tip.kind;
     report->taper = f.taper;

@@ -43,6 +43,7 @@ typedef struct tube_report {
     size_t stray; // of these, not: something else's
     int ncylinder;       // fitted while tracing
     double length;       // of the line [m]
+    double unseen_base;  // length from the base on without points [m]
     double missing;      // of the expected length [m]; NAN: none was given
     bool length_differs; // it is much: not all of the tip is seen, or another length is meant
     double length_sigma; // from both ends', and what is missing [m]

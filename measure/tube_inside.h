@@ -151,6 +151,11 @@ typedef struct tube_end {
 // at the curve's end (side 1) or begin (side -1)
 status tube_find_end(const tube_fit *f, int side, tube_end *out);
 
+// --- where nothing is seen (tube_bridge.c)
+
+// line->sigma grows where there are no points; *base: length without any at the base
+status tube_bridge(const tube_fit *f, centreline *line, double *base);
+
 // --- what else is told (tube_report.c)
 
 // ERR_FILE where the base is not known and another tube is as good.

@@ -25,5 +25,10 @@ int scan_remarks(const scan_result *r, char text[SCAN_REMARKS][SCAN_REMARK_ROOM]
                        t->missing > 0 ? "the tip is not seen, or the body is shorter"
                                       : "the body is longer, or something else goes on at its end");
     }
+    if (t->unseen_base > r->line.radius / 2) {
+        (void)snprintf(text[n++], SCAN_REMARK_ROOM,
+                       "no points on the first %.3g mm: bridged, +- %.3g mm at the base",
+                       1e3 * t->unseen_base, 1e3 * r->fit_sigma[0]);
+    }
     return n;
 }

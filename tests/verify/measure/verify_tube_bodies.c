@@ -1,5 +1,6 @@
 // Bodies that are not quite the tube that was expected, and lines that are not all seen. Synthetic
 // clouds.
+#include "measure/scan_parts.h"
 #include "tests/verify/measure/tube_trial.h"
 
 #include <string.h>
@@ -133,6 +134,66 @@ static void over_a_ball_the_line_is_straight(void)
     }
 }
 
+// an unseen base: sigma holds what it may bend by there; far, or beside the base, it is refused
+static void an_unseen_base_is_bridged_honestly(const made_line *line)
+{
+    const double gaps[] = {6e-3, 10e-3};
+    const tube_options o = trial_options(NAN);
+    for (int k = 0; k < 2; k++) {
+        double square = 0;
+        for (unsigned long seed = 1; seed <= 5; seed++) {
+            made_scan scan = usual;
+            scan.gap[1] = gaps[k];
+            scan.seed = seed;
+            tube_trial t = trial_of(line, &scan, &o);
+            CHECK(t.st == OK);
+            status_clear();
+            if (t.st == OK) {
+                const double e = vec3_norm(t.line.p[0]) / t.line.sigma[0];
+                CHECK_WITHIN(t.report.unseen_base, gaps[k], 0.7e-3);
+                CHECK(e * e / 2 < 9);
+                square += e * e / 2 / 5;
+            }
+            trial_free(&t);
+        }
+        printf("%g mm of the base unseen: (error / sigma)^2 %.2f\n", 1e3 * gaps[k], square);
+        CHECK(square < 2);
+    }
+    for (unsigned long seed = 1; seed <= 3; seed++) {
+        made_scan scan = usual;
+        scan.gap[1] = 27e-3; // more than six radii
+        scan.seed = seed;
+        tube_trial t = trial_of(line, &scan, &o);
+        CHECK(t.st == ERR_FILE);
+        status_clear();
+        trial_free(&t);
+    }
+}
+
+// three fingers and a palm above the plate: the body is what stands on it
+static void a_hand_above_a_plate(const made_line *line)
+{
+    const double unknown = NAN;
+    const scan_settings settings = {
+        .radius = 4e-3,
+        .plate = {.point = {unknown, unknown, unknown}, .reach = unknown, .noise = unknown},
+        .seed = 1};
+    for (unsigned long seed = 1; seed <= 3; seed++) {
+        made_scan scan = usual;
+        scan.hand = scan.plate = true;
+        scan.seed = seed;
+        point_cloud cloud = {0};
+        cloud_plane plate;
+        tube_options o = tube_options_default();
+        o.radius = 4e-3;
+        CHECK_OK(made_cloud(line, &scan, &cloud));
+        CHECK_OK(scan_find_plate(&cloud, &settings, &o, &plate));
+        printf("a hand above a plate: base %.3f mm off\n", 1e3 * vec3_norm(o.base));
+        CHECK(vec3_norm(o.base) < 1e-3);
+        point_cloud_free(&cloud);
+    }
+}
+
 int main(void)
 {
     static made_line prototype;
@@ -141,5 +202,7 @@ int main(void)
     another_tube_beyond_the_tip_is_told(&prototype);
     a_missing_tip_is_told(&prototype);
     over_a_ball_the_line_is_straight();
+    an_unseen_base_is_bridged_honestly(&prototype);
+    a_hand_above_a_plate(&prototype);
     return test_failures != 0;
 }
