@@ -196,12 +196,13 @@ done:
 static status find_foot(const point_cloud *cloud, const cloud_plane *p, double beyond,
                         const tube_options *o, vec3 *foot)
 {
-    static const double FIRST_STRETCH = 8; // radii
-    if (!isnan(o->radius) &&
-        foot_below(cloud, p, beyond, FIRST_STRETCH * o->radius, o, foot) == OK) {
-        return OK;
+    static const double FIRST_STRETCH[] = {6, 8, 11}; // radii
+    for (int i = 0; i < 3 && !isnan(o->radius); i++) {
+        if (foot_below(cloud, p, beyond, FIRST_STRETCH[i] * o->radius, o, foot) == OK) {
+            return OK;
+        }
+        status_clear();
     }
-    status_clear();
     return foot_below(cloud, p, beyond, INFINITY, o, foot);
 }
 
