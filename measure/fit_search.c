@@ -11,11 +11,13 @@
 // Relative change of a coordinate at which a search ends: far below any interval.
 static const double step_tolerance = 1e-7;
 // Steps between two looks at what a search still gains, and looks: good searches need 5 to 15
-// steps.
-enum { STEPS = 12, LOOKS = 2 };
+// steps, some creep to their end once they are near it.
+enum { STEPS = 12, LOOKS = 2, LOOKS_NEAR_IT = 8 };
 // What a search may leave to gain, in parts of chi^2 per degree of freedom: a hundredth of a
 // standard error off the best place.
 static const double nothing_to_gain = 1e-4;
+// ... and what it may leave to be near its end: half a standard error.
+static const double near_its_end = 0.25;
 // So many searches without an end say that the others have none: half of them, but two.
 enum { IN_VAIN = 2 };
 
@@ -64,16 +66,17 @@ static void keep(fit *f, const double *z, double cost)
 
 // Whether a search that ran out of steps is there all the same; ERR_NUMERIC by name where its
 // unknowns cannot be told apart.
-static status look(fit *f, const double *z, double cost, bool *there)
+static status look(fit *f, const double *z, double cost, bool *there, bool *near)
 {
     status st = OK;
     double gain = 0;
-    const int freedom = 2 * f->nuse - f->nfree;
+    const double per_freedom = cost / fmax(2 * f->nuse - f->nfree, 1);
     f->named = true;
     TRY(fit_told_apart(f, z));
     f->named = false;
     TRY(still_to_gain(f, z, &gain));
-    *there = gain <= nothing_to_gain * cost / fmax(freedom, 1);
+    *there = gain <= nothing_to_gain * per_freedom;
+    *near = gain <= near_its_end * per_freedom;
 
 done:
     return st;
@@ -82,9 +85,10 @@ done:
 status fit_search(fit *f, double *z, double *cost)
 {
     status st = OK;
-    bool there = false;
+    bool there = false, near = false;
+    int looks = 0;
     const least_squares problem = {fit_nr(f), fit_nz(f), fit_residuals, f, step_tolerance, STEPS};
-    for (int i = 0; i < LOOKS && !there; i++) {
+    for (; !there && looks < (near ? LOOKS_NEAR_IT : LOOKS); looks++) {
         least_squares_answer answer = {0};
         f->begun = false;
         st = f->door->least_squares(&problem, z, &answer);
@@ -94,10 +98,10 @@ status fit_search(fit *f, double *z, double *cost)
         }
         status_clear();
         keep(f, z, *cost);
-        TRY(look(f, z, *cost, &there));
+        TRY(look(f, z, *cost, &there, &near));
     }
     if (!there) {
-        TRY(status_fail(ERR_NUMERIC, "fit: no convergence in %d steps", LOOKS * STEPS));
+        TRY(status_fail(ERR_NUMERIC, "fit: no convergence in %d steps", looks * STEPS));
     }
 
 done:
