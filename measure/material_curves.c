@@ -46,8 +46,8 @@ static void base_name(const char *name, char base[TABLE_NAME])
 static bool is_one_of(const char *name, const char *names)
 {
     const size_t n = strlen(name);
-    for (const char *p = names; (p = strstr(p, name)) != NULL; p += n) {
-        if ((p == names || p[-1] == '|') && (p[n] == '|' || p[n] == '\0') && n > 0) {
+    for (const char *p = names; n > 0 && (p = strstr(p, name)) != NULL; p += n) {
+        if ((p == names || p[-1] == '|') && (p[n] == '|' || p[n] == '\0')) {
             return true;
         }
     }

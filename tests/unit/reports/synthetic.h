@@ -371,7 +371,8 @@ static inline status synthetic_loaded_make(int nsolution, double turns, double f
     status st = OK;
     run_result *r = out;
     *r = (run_result){.rod_length = 120e-3, .nmaterial = 2};
-    (void)snprintf(r->title, sizeof r->title, "<script>alert(1)</script> tube & \"tendons\", Fig. 4");
+    (void)snprintf(r->title, sizeof r->title,
+                   "<script>alert(1)</script> tube & \"tendons\", Fig. 4");
     (void)snprintf(r->versions, sizeof r->versions, "stiffaxis 0\ncairo 1");
     r->case_length = sizeof synthetic_case - 1;
     TRY(TAKE(r->case_text, sizeof synthetic_case));
