@@ -71,6 +71,7 @@ function(program name file)
 endfunction()
 
 # tests/<kind>/<room>/test_X.c is a program linked with that room; tests/cli/*.sh runs the program
+# Label `once`: readers, writers and pictures, whose small tests the sanitized half runs; what is compiled to vectors runs in both.
 # Label `numbers`: long runs whose point is numbers, not memory; the sanitized half of ./run check leaves them out, so that
 # build makes their programs only when the target `numbers` is asked for.
 function(tests)
@@ -86,11 +87,14 @@ function(tests)
             endif()
             add_executable(${name} ${file})
             our_code(${name})
-            target_compile_options(${name} PRIVATE -O1) # they are built more often than they run
+            target_compile_options(${name} PRIVATE $<IF:$<CONFIG:Debug>,-O0,-O1>) # they are built more often than they run
             target_link_libraries(${name} PRIVATE ${room} m)
             add_dependencies(${name} door_hdf5 door_gmsh door_petsc door_gsl)
             add_test(NAME ${kind}/${room}/${name} COMMAND ${name})
             set(labels ${kind})
+            if(kind STREQUAL unit AND room MATCHES "^(io|meshes|reports|commands)$")
+                list(APPEND labels once)
+            endif()
             if(kind STREQUAL verify)
                 list(APPEND labels numbers)
                 add_dependencies(numbers ${name})
@@ -114,8 +118,8 @@ function(tests)
     endforeach()
     file(GLOB scripts CONFIGURE_DEPENDS tests/cli/*.sh tests/cross/*.sh tests/*.sh)
     # long, and of the same code as the others: once is enough
-    set(numbers blade bodies check_format check_layers failures fit json mpirun_ways prototypes published ranks run_cases
-        segment_compare segment_loads sensitivity voxel vtkhdf)
+    set(numbers blade bodies cases check_format check_layers failures fit json mpirun mpirun_ways out prototypes published
+        ranks rods run_cases scan_to_fit segment_compare segment_loads sensitivity voxel vtkhdf)
     foreach(file ${scripts})
         get_filename_component(name ${file} NAME_WE)
         add_test(NAME script/${name} COMMAND sh ${file})

@@ -185,7 +185,7 @@ static void noisy_line(const bench *b, int k, gsl_random *g)
 
 static void intervals_hold(const bench *b)
 {
-    enum { SEEDS = 40 };
+    enum { SEEDS = 20 };
     int inside[2] = {0};
     double spread[2] = {0}, error[2] = {0};
     for (int seed = 1; seed <= SEEDS; seed++) {
@@ -207,7 +207,7 @@ static void intervals_hold(const bench *b)
            inside[0], inside[1], SEEDS, sqrt(spread[0]), sqrt(spread[1]), sqrt(error[0]),
            sqrt(error[1]));
     for (int i = 0; i < 2; i++) {
-        CHECK(inside[i] >= 36);          // 90 %: fewer in 5 of 100 such tests at 95 %
+        CHECK(inside[i] >= 17);          // 85 %: fewer in 2 of 100 such tests at 95 %
         CHECK(error[i] < 4 * spread[i]); // not by width
     }
 }
