@@ -207,13 +207,7 @@ static status read_text(cloud_stream *s, const pcd *p, cloud_builder *b)
     }
     for (uint64_t i = 0; i < p->points; i++) {
         double xyz[3];
-        do {
-            TRY(stream_line(s, &line));
-        } while (line && line[strspn(line, " \t")] == 0);
-        if (!line) {
-            TRY(stream_fail(s, "the file ends after %llu of %llu points", (unsigned long long)i,
-                            (unsigned long long)p->points));
-        }
+        TRY(stream_row(s, i, p->points, &line));
         TRY(cloud_row(s, line, column, xyz));
         builder_put(b, xyz);
     }

@@ -244,13 +244,7 @@ static status read_text(cloud_stream *s, const ply *p, const element *e, cloud_b
     int column[3] = {e->axis[0], e->axis[1], e->axis[2]};
     for (uint64_t i = 0; i < e->count; i++) {
         double xyz[3];
-        do {
-            TRY(stream_line(s, &line));
-        } while (line && line[strspn(line, " \t")] == 0);
-        if (!line) {
-            TRY(stream_fail(s, "the file ends after %llu of %llu points", (unsigned long long)i,
-                            (unsigned long long)e->count));
-        }
+        TRY(stream_row(s, i, e->count, &line));
         TRY(e->lists ? columns_of_line(s, p, e, line, column) : OK);
         TRY(cloud_row(s, line, column, xyz));
         builder_put(b, xyz);

@@ -163,6 +163,21 @@ done:
     return st;
 }
 
+status stream_row(cloud_stream *s, uint64_t row, uint64_t count, char **line)
+{
+    status st = OK;
+    do {
+        TRY(stream_line(s, line));
+    } while (*line && (*line)[strspn(*line, " \t")] == '\0');
+    if (!*line) {
+        TRY(stream_fail(s, "the file ends after %llu of %llu points", (unsigned long long)row,
+                        (unsigned long long)count));
+    }
+
+done:
+    return st;
+}
+
 status stream_bytes(cloud_stream *s, size_t count, const unsigned char **bytes)
 {
     status st = OK;

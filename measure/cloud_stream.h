@@ -32,6 +32,9 @@ status stream_peek(cloud_stream *s, size_t most, const unsigned char **bytes, si
 // The next line without its end, a zero behind it; *line NULL at the end of the file. ERR_FILE for
 // a line with a zero in it or longer than the buffer.
 status stream_line(cloud_stream *s, char **line);
+// The next line that is not blank: `row` (from 0) of `count` that were promised. ERR_FILE
+// where the file ends before.
+status stream_row(cloud_stream *s, uint64_t row, uint64_t count, char **line);
 
 // The next `count` bytes. ERR_FILE where the file ends before.
 status stream_bytes(cloud_stream *s, size_t count, const unsigned char **bytes);
