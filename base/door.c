@@ -6,7 +6,7 @@
 #include <string.h>
 #include <unistd.h>
 
-enum { MAX_DOORS = 4 };
+enum { MAX_DOORS = 8 };
 
 static struct {
     char name[32];

@@ -2,7 +2,7 @@
 # Every C file is as clang-format would lay it out.
 set -eu
 cd "${STIFFAXIS_SOURCE:-$(dirname "$0")/..}"
-files=$(find app base bench fem io measure meshes reports rodsolver section tests -name '*.[ch]' | sort)
+files=$(find app base bench fem io measure meshes reach reports rodsolver section tests -name '*.[ch]' | sort)
 # many files per process: starting it costs more than looking at one
 if found=$(printf '%s\n' "$files" | xargs -n 100 clang-format --dry-run --Werror 2>&1); then
     echo "format: $(echo "$files" | wc -l) files as they should be"

@@ -12,8 +12,9 @@ below() {
     rodsolver) echo 'base rodsolver' ;;
     measure) echo 'base io measure' ;;
     fem) echo 'base fem' ;;
-    reports) echo 'base io meshes section rodsolver measure fem reports' ;;
-    app) echo 'base io meshes section rodsolver measure fem reports app' ;;
+    reach) echo 'base io rodsolver measure reach' ;;
+    reports) echo 'base io meshes section rodsolver measure fem reach reports' ;;
+    app) echo 'base io meshes section rodsolver measure fem reach reports app' ;;
     esac
 }
 
@@ -29,10 +30,11 @@ omp.h section/cholmod_door.c
 petsc fem/petsc_(inside\.h|[a-z_]*door_module\.c)
 mpi.h (fem/petsc_[a-z_]*|io/hdf5_share_)door_module.c
 gsl measure/gsl_[a-z_]*door_module.c
+embree3 reach/embree_door_module.c
 cairo reports/cairo_door.c'
 
 bad=0
-for room in base io meshes section rodsolver measure fem reports app; do
+for room in base io meshes section rodsolver measure fem reach reports app; do
     allowed=$(below $room | tr ' ' '|')
     wrong=$(grep -nE '^#include "' $room/*.c $room/*.h | grep -vE "#include \"($allowed)/" || true)
     if [ -n "$wrong" ]; then
