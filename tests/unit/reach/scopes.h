@@ -12,8 +12,8 @@ typedef struct made_scope {
     scope scope;
 } made_scope;
 
-// one plan for all tensions: differences see no jumps between plans
-static const rod_options one_plan = {.npanel = 32};
+// one fine plan for all tensions: differences see no jumps between plans
+static const rod_options one_plan = {.npanel = 64};
 // as a case has it
 static const rod_options usual_plan = {.tolerance = 1e-9};
 
