@@ -1,0 +1,147 @@
+// reach/distance.c
+#include "reach/distance.h"
+
+#include "base/memory.h"
+#include "reach/embree_door.h"
+#include "reach/triangle.h"
+
+#include <math.h>
+
+struct distance_tree {
+    const surface *s;
+    const embree_door *door;
+    box_tree *boxes;
+    vec3 *face;   // [ntriangle] unit normals, outward; zero without area
+    vec3 *vertex; // [nvertex] angle-weighted
+};
+
+const surface *distance_surface(const distance_tree *t)
+{
+    return t->s;
+}
+
+static void triangle_box(const void *context, int i, double low[3], double high[3])
+{
+    const surface *s = context;
+    for (int d = 0; d < 3; d++) {
+        const double a = s->vertex[s->triangle[i][0]][d], b = s->vertex[s->triangle[i][1]][d],
+                     c = s->vertex[s->triangle[i][2]][d];
+        low[d] = fmin(a, fmin(b, c));
+        high[d] = fmax(a, fmax(b, c));
+    }
+}
+
+static void fill_normals(distance_tree *t)
+{
+    for (int i = 0; i < t->s->ntriangle; i++) {
+        vec3 corner[3];
+        surface_corners(t->s, i, corner);
+        const vec3 n = triangle_normal(corner);
+        const double length = vec3_norm(n);
+        t->face[i] = length > 0 ? vec3_scale(1 / length, n) : n;
+        for (int k = 0; k < 3; k++) {
+            vec3 *sum = &t->vertex[t->s->triangle[i][k]];
+            *sum = vec3_add_scaled(*sum, triangle_angle(corner, k), t->face[i]);
+        }
+    }
+}
+
+status distance_tree_make(const surface *s, distance_tree **out)
+{
+    status st = OK;
+    distance_tree *t = NULL;
+    TRY(TAKE(t, 1));
+    t->s = s;
+    TRY(embree_door_open(&t->door));
+    TRY(TAKE(t->face, (size_t)s->ntriangle));
+    TRY(TAKE(t->vertex, (size_t)s->nvertex));
+    fill_normals(t);
+    TRY(t->door->make(s->ntriangle, triangle_box, s, &t->boxes));
+    *out = t;
+    t = NULL;
+
+done:
+    distance_tree_free(t);
+    return st;
+}
+
+void distance_tree_free(distance_tree *t)
+{
+    if (t) {
+        if (t->door) {
+            t->door->free(t->boxes);
+        }
+        free(t->face);
+        free(t->vertex);
+        free(t);
+    }
+}
+
+typedef struct search {
+    const distance_tree *t;
+    vec3 p;
+    double radius; // the least distance so far, or what it must be below
+    double enough; // a distance below this ends the search
+    vec3 nearest;
+    int triangle, place;
+} search;
+
+static double look(void *context, int i)
+{
+    search *s = context;
+    vec3 corner[3];
+    int place = 0;
+    surface_corners(s->t->s, i, corner);
+    const vec3 q = triangle_nearest(corner, s->p, &place);
+    const double distance = vec3_norm(vec3_sub(s->p, q));
+    if (distance < s->radius || (s->triangle < 0 && distance <= s->radius)) {
+        s->radius = distance;
+        s->nearest = q;
+        s->triangle = i;
+        s->place = place;
+    }
+    return s->triangle >= 0 && s->radius < s->enough ? -1 : s->radius;
+}
+
+// the normal that tells the sides where the nearest point is
+static vec3 side_normal(const search *s)
+{
+    const surface *wall = s->t->s;
+    const int t = s->triangle;
+    if (s->place >= ON_CORNER) {
+        return s->t->vertex[wall->triangle[t][s->place - ON_CORNER]];
+    }
+    if (s->place >= ON_EDGE) {
+        return vec3_add(s->t->face[t], s->t->face[wall->across[t][s->place - ON_EDGE] / 3]);
+    }
+    return s->t->face[t];
+}
+
+static nearest_point answer(const search *s)
+{
+    nearest_point out = {.distance = NAN, .triangle = s->triangle, .p = s->nearest};
+    if (s->triangle >= 0) {
+        const double side = vec3_dot(vec3_sub(s->p, s->nearest), side_normal(s));
+        out.distance = side > 0 ? -s->radius : s->radius;
+    }
+    return out;
+}
+
+nearest_point distance_within(const distance_tree *t, vec3 p, double radius)
+{
+    search s = {.t = t, .p = p, .radius = radius, .enough = -1, .triangle = -1};
+    t->door->near(t->boxes, p.a, radius, look, &s);
+    return answer(&s);
+}
+
+nearest_point distance_to(const distance_tree *t, vec3 p)
+{
+    return distance_within(t, p, INFINITY);
+}
+
+bool distance_is_free(const distance_tree *t, vec3 p, double least)
+{
+    search s = {.t = t, .p = p, .radius = INFINITY, .enough = least, .triangle = -1};
+    t->door->near(t->boxes, p.a, INFINITY, look, &s);
+    return answer(&s).distance >= least;
+}

@@ -1,0 +1,31 @@
+// reach/distance.h
+// How far points are from a surface, and on which side. The tree is Embree's, in single precision
+// with radii made larger; what decides is done in double: exact to rounding. The side is that of
+// the angle-weighted normal of the face, edge or vertex that is nearest (Baerentzen and Aanaes
+// 2005).
+#pragma once
+
+#include "reach/surface.h"
+
+typedef struct distance_tree distance_tree;
+
+typedef struct nearest_point {
+    double distance; // positive inside the enclosed space, negative outside [m]
+    vec3 p;          // the nearest point of the surface
+    int triangle;    // it lies on; -1: none (distance_within)
+} nearest_point;
+
+// The surface must outlive the tree. Any number of threads may ask at once.
+status distance_tree_make(const surface *s, distance_tree **out);
+void distance_tree_free(distance_tree *t); // NULL is nothing
+
+nearest_point distance_to(const distance_tree *t, vec3 p);
+
+// The same where the surface is known to be within `radius`: quicker. Where it is not, triangle is
+// -1 and distance NAN.
+nearest_point distance_within(const distance_tree *t, vec3 p, double radius);
+
+// Whether p is inside and the surface at least `least` away: quicker where it is not.
+bool distance_is_free(const distance_tree *t, vec3 p, double least);
+
+const surface *distance_surface(const distance_tree *t);
