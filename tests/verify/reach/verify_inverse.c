@@ -1,0 +1,347 @@
+// tests/verify/reach/verify_inverse.c
+// What a forward solve made is reached again; what cannot be reached is refused; constant curvature
+// in closed form is what a dense search finds.
+#include "tests/unit/reach/scopes.h"
+
+#include "reach/arc.h"
+#include "reach/inverse.h"
+
+#include <string.h>
+
+enum { TARGETS = 1000 };
+
+// the table's own criterion
+static const double reached_again = 1e-6; // [m]
+
+typedef struct asked {
+    made_scope m;
+    pose entry;
+    inverse *inverse;
+    scope_state *state;
+} asked;
+
+static void ask(asked *a)
+{
+    a->entry = slanted_entry();
+    CHECK_OK(scope_state_make(&a->m.scope, &a->entry, &a->state));
+    CHECK_OK(inverse_make(&a->m.scope, &a->inverse));
+}
+
+static void answered(asked *a)
+{
+    inverse_free(a->inverse);
+    scope_state_free(a->state);
+    free_scope(&a->m);
+}
+
+static vec3 forward(asked *a, const double *q)
+{
+    vec3 tip = {{NAN, NAN, NAN}};
+    CHECK_OK(scope_bend(a->state, q));
+    CHECK_OK(scope_tip(a->state, q, &tip, NULL));
+    return tip;
+}
+
+// every pose of an answer is in the limits and at the target
+static double worst_pose(asked *a, vec3 target, const inverse_answer *out)
+{
+    double worst = 0;
+    for (int i = 0; i < out->npose; i++) {
+        CHECK(scope_within(&a->m.scope, out->pose[i].q));
+        worst = fmax(worst, distance(forward(a, out->pose[i].q), target));
+    }
+    return worst;
+}
+
+// whether the tip is on the line, so that any turn is as good
+static bool straight(asked *a, const double *q)
+{
+    vec3 tip = {{NAN, NAN, NAN}};
+    CHECK_OK(scope_bend(a->state, q));
+    CHECK_OK(scope_bent_tip(a->state, &tip, NULL));
+    return hypot(tip.a[0], tip.a[1]) < 1e-9;
+}
+
+// whether the joints that made the target are among those found
+static bool found(const scope *s, const double *q, const inverse_answer *out)
+{
+    for (int i = 0; i < out->npose; i++) {
+        double away = 0;
+        for (int j = 0; j < s->njoint; j++) {
+            // half a turn to the left is half a turn to the right
+            const double off = out->pose[i].q[j] - q[j];
+            away = fmax(away, j == 1 ? fabs(sin(off / 2)) : fabs(off) / (s->high[j] - s->low[j]));
+        }
+        if (away < 1e-3) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static void reached(const char *name, asked *a)
+{
+    const scope *s = &a->m.scope;
+    unsigned long long seed = 11;
+    int missed = 0, own = 0, poses = 0;
+    double worst = 0;
+    for (int k = 0; k < TARGETS; k++) {
+        double q[SCOPE_JOINTS];
+        inverse_answer out;
+        random_joints(s, &seed, q);
+        // at the limits too
+        q[k % s->njoint] = k % 10 == 0 ? s->high[k % s->njoint] : q[k % s->njoint];
+        q[k % s->njoint] = k % 10 == 5 ? s->low[k % s->njoint] : q[k % s->njoint];
+        const vec3 target = forward(a, q);
+        CHECK_OK(inverse_solve(a->inverse, a->state, target, &out));
+        missed += out.npose == 0;
+        own += straight(a, q) || found(s, q, &out);
+        poses += out.npose;
+        worst = fmax(worst, worst_pose(a, target, &out));
+    }
+    printf(
+        "%-24s %d of %d reached again, worst %.1e m, %.2f poses each, own joints among them %d\n",
+        name, TARGETS - missed, TARGETS, worst, poses / (double)TARGETS, own);
+    CHECK(missed == 0);
+    CHECK(worst <= reached_again);
+    if (s->njoint == 3) {
+        // all solutions: the one that made the target too, but where two of them merge
+        CHECK(own >= TARGETS - 5);
+    }
+}
+
+// the largest distance of the tip from the line, and the extent along it, by a dense scan
+static void extent(asked *a, double *rho, double *low, double *high)
+{
+    const scope *s = &a->m.scope;
+    const int n = s->njoint - SCOPE_BEND, m = n == 1 ? 20001 : n == 2 ? 201 : 41;
+    int total = 1;
+    *rho = 0;
+    *low = INFINITY;
+    *high = -INFINITY;
+    for (int j = 0; j < n; j++) {
+        total *= m;
+    }
+    for (int k = 0; k < total; k++) {
+        double q[SCOPE_JOINTS] = {0};
+        vec3 tip;
+        for (int j = 0, rest = k; j < n; j++, rest /= m) {
+            q[2 + j] = s->low[2 + j] + (s->high[2 + j] - s->low[2 + j]) * (rest % m) / (m - 1);
+        }
+        CHECK_OK(scope_bend(a->state, q));
+        CHECK_OK(scope_bent_tip(a->state, &tip, NULL));
+        *rho = fmax(*rho, hypot(tip.a[0], tip.a[1]));
+        *low = fmin(*low, tip.a[2]);
+        *high = fmax(*high, tip.a[2]);
+    }
+    *low += s->low[0];
+    *high += s->high[0];
+}
+
+static vec3 on_cylinder(const asked *a, double rho, double angle, double z)
+{
+    const vec3 p = {{rho * cos(angle), rho * sin(angle), z}};
+    return vec3_add(a->entry.p, mat3_mul_vec(a->entry.R, p));
+}
+
+// beyond what the scan found, by at least the margin, aside, behind and ahead
+static void refused(const char *name, asked *a)
+{
+    const scope *s = &a->m.scope;
+    const double margin = 1e-4;
+    unsigned long long seed = 5;
+    double rho, low, high;
+    int accepted = 0, wrong = 0;
+    double least = INFINITY;
+    extent(a, &rho, &low, &high);
+    for (int k = 0; k < TARGETS; k++) {
+        inverse_answer out;
+        const double by = margin + random_between(&seed, 0, k % 2 ? 1e-3 : s->length);
+        const double angle = random_between(&seed, -4, 4);
+        double r = random_between(&seed, 0, rho), z = random_between(&seed, low, high);
+        if (k % 3 == 0) {
+            r = rho + by;
+        } else {
+            z = k % 3 == 1 ? low - by : high + by;
+        }
+        CHECK_OK(inverse_solve(a->inverse, a->state, on_cylinder(a, r, angle, z), &out));
+        accepted += out.npose != 0;
+        // behind and ahead it is the insertion or the bend that ends
+        wrong += out.limit == INVERSE_NO_LIMIT;
+        CHECK(scope_within(s, out.nearest.q));
+        // the scan of the extent is short by a little
+        CHECK(out.nearest.miss >= by - margin / 10);
+        least = fmin(least, out.nearest.miss - by);
+    }
+    printf("%-24s %d of %d unreachable ones refused, farther than made by %.1e m at least\n", name,
+           TARGETS - accepted, TARGETS, least);
+    CHECK(accepted == 0 && wrong == 0);
+}
+
+// a turn that is limited to half a circle: what is made on the other half is refused
+static void refused_by_turn(const char *name, asked *a)
+{
+    const scope *s = &a->m.scope;
+    unsigned long long seed = 3;
+    int accepted = 0, named = 0, asked_for = 0;
+    for (int k = 0; k < TARGETS; k++) {
+        double q[SCOPE_JOINTS];
+        inverse_answer out;
+        random_joints(s, &seed, q);
+        const vec3 target = forward(a, q);
+        CHECK_OK(inverse_solve(a->inverse, a->state, target, &out));
+        bool other_half = out.npose > 0;
+        for (int i = 0; i < out.npose; i++) {
+            other_half = other_half && out.pose[i].q[1] > 0.1;
+        }
+        if (!other_half || out.pose[0].q[1] > PROTOTYPE_PI - 0.1) {
+            continue;
+        }
+        asked_for++;
+        a->m.scope.high[1] = 0;
+        CHECK_OK(inverse_solve(a->inverse, a->state, target, &out));
+        accepted += out.npose != 0;
+        named += out.limit == SCOPE_TURN || out.limit >= SCOPE_BEND || out.limit == 0;
+        a->m.scope.high[1] = PROTOTYPE_PI;
+    }
+    printf("%-24s %d of %d behind the turn's limits refused, %d by a joint's limit\n", name,
+           asked_for - accepted, asked_for, named);
+    CHECK(asked_for > TARGETS / 5 && accepted == 0 && named > asked_for / 2);
+}
+
+static void whole(const char *name, asked *a)
+{
+    ask(a);
+    reached(name, a);
+    refused(name, a);
+    if (a->m.scope.njoint == 3) {
+        refused_by_turn(name, a);
+    }
+    answered(a);
+}
+
+// --- constant curvature against a dense search
+
+enum { BENDS = 20000, DENSE_BENDS = 400, DENSE_TURNS = 360 };
+
+// how far at these joints, the insertion the best in its limits
+static double miss_of(const scope *s, vec3 local, double bend, double turn)
+{
+    const vec3 h = arc_point(s->length, bend, s->length);
+    const double x = h.a[0] * cos(turn), y = h.a[0] * sin(turn);
+    const double z = h.a[2] + fmin(fmax(local.a[2] - h.a[2], s->low[0]), s->high[0]);
+    return sqrt(pow(x - local.a[0], 2) + pow(y - local.a[1], 2) + pow(z - local.a[2], 2));
+}
+
+// smaller and smaller about a place
+static double refined(const scope *s, vec3 local, double bend, double turn)
+{
+    double du = (s->high[2] - s->low[2]) / DENSE_BENDS, dt = (s->high[1] - s->low[1]) / DENSE_TURNS;
+    double best = miss_of(s, local, bend, turn);
+    while (du > 1e-13) {
+        const double at[2] = {bend, turn}, was = best;
+        for (int i = 0; i < 25; i++) {
+            const double u = fmin(fmax(at[0] + (i / 5 - 2) * du / 2, s->low[2]), s->high[2]);
+            const double t = fmin(fmax(at[1] + (i % 5 - 2) * dt / 2, s->low[1]), s->high[1]);
+            const double m = miss_of(s, local, u, t);
+            if (m < best) {
+                best = m;
+                bend = u;
+                turn = t;
+            }
+        }
+        if (best == was) {
+            du /= 2;
+            dt /= 2;
+        }
+    }
+    return best;
+}
+
+// over all of bend and turn, and about every bend that may be the best between its steps
+static double dense_miss(const scope *s, vec3 local)
+{
+    double row[DENSE_BENDS + 1], turn[DENSE_BENDS + 1], least = INFINITY, best = INFINITY;
+    const double du = (s->high[2] - s->low[2]) / DENSE_BENDS;
+    const double dt = (s->high[1] - s->low[1]) / DENSE_TURNS;
+    for (int i = 0; i <= DENSE_BENDS; i++) {
+        row[i] = INFINITY;
+        for (int k = 0; k <= DENSE_TURNS; k++) {
+            const double m = miss_of(s, local, s->low[2] + i * du, s->low[1] + k * dt);
+            turn[i] = m < row[i] ? s->low[1] + k * dt : turn[i];
+            row[i] = fmin(m, row[i]);
+        }
+        least = fmin(least, row[i]);
+    }
+    for (int i = 0; i <= DENSE_BENDS; i++) {
+        // half a step of bend and of turn move the tip by less
+        if (row[i] < least + 3e-4) {
+            best = fmin(best, refined(s, local, s->low[2] + i * du, turn[i]));
+        }
+    }
+    return best;
+}
+
+// how often the distance from the line passes the target's, with the insertion in its limits
+static int dense_count(const scope *s, double rho, double z)
+{
+    int n = 0;
+    const double du = (s->high[2] - s->low[2]) / BENDS;
+    for (int i = 0; i < BENDS; i++) {
+        const vec3 a = arc_point(s->length, s->low[2] + i * du, s->length);
+        const vec3 b = arc_point(s->length, s->low[2] + (i + 1) * du, s->length);
+        const double in = z - (a.a[2] + b.a[2]) / 2;
+        n += (fabs(a.a[0]) < rho) != (fabs(b.a[0]) < rho) && in >= s->low[0] && in <= s->high[0];
+    }
+    return n;
+}
+
+static void closed_form_is_the_dense_search(void)
+{
+    asked a = {.m = arc_scope()};
+    unsigned long long seed = 23;
+    int reachable = 0, counts = 0;
+    double worst = 0;
+    ask(&a);
+    const scope *s = &a.m.scope;
+    for (int k = 0; k < 200; k++) {
+        inverse_answer out;
+        const double rho = random_between(&seed, 0, 0.017), z = random_between(&seed, -0.02, 0.13);
+        const double angle = random_between(&seed, -PROTOTYPE_PI, PROTOTYPE_PI);
+        const vec3 local = {{rho * cos(angle), rho * sin(angle), z}};
+        CHECK_OK(inverse_solve(a.inverse, a.state, on_cylinder(&a, rho, angle, z), &out));
+        const double dense = dense_miss(s, local);
+        reachable += out.npose > 0;
+        counts += out.npose == dense_count(s, rho, z);
+        CHECK((dense < 1e-9) == (out.npose > 0));
+        worst = fmax(worst, fabs(dense - out.nearest.miss));
+    }
+    printf(
+        "%-24s %d of 200 reachable, distances within %.1e m of the dense search, %d counts equal\n",
+        "constant curvature", reachable, worst, counts);
+    CHECK(reachable > 60 && reachable < 180);
+    CHECK(worst < 1e-7); // the nearest of those out of reach is found on the cubics
+    CHECK(counts == 200);
+    answered(&a);
+}
+
+int main(void)
+{
+    closed_form_is_the_dense_search();
+    asked arc = {.m = arc_scope()};
+    whole("constant curvature", &arc);
+    asked a;
+    for (int n = 1; n <= 2; n++) {
+        constant_scope(n, usual_plan, (a = (asked){0}, &a.m));
+        whole(n == 1 ? "prototype" : "prototype, 2 tendons", &a);
+        neuro_scope(n, usual_plan, (a = (asked){0}, &a.m));
+        whole(n == 1 ? "neuro-endoscope" : "neuro, 2 tendons", &a);
+    }
+    a = (asked){0};
+    helical_scope(usual_plan, &a.m);
+    whole("helical prototype", &a);
+    a = (asked){0};
+    neuro_scope(3, usual_plan, &a.m);
+    whole("neuro, 3 tendons", &a);
+    return test_failures != 0;
+}
