@@ -60,6 +60,26 @@ done:
     return st;
 }
 
+// An end of the range whose tip is as far as the target but for this share of the length is a root.
+static const double end_rounding = 1e-12;
+
+static status end_roots(const inverse *inv, scope_state *state, vec3 target, cylinder_point c,
+                        inverse_answer *out)
+{
+    status st = OK;
+    const bend_sweep *w = &inv->sweep;
+    for (int i = 0; i < 2; i++) {
+        const bend_node *end = &w->node[i * (w->nnode - 1)];
+        const double off = hypot(end->tip.a[0], end->tip.a[1]) - c.rho;
+        if (fabs(off) <= end_rounding * inv->scope->length) {
+            TRY(keep_root(state, target, c, end->u, out));
+        }
+    }
+
+done:
+    return st;
+}
+
 static status roots(const inverse *inv, scope_state *state, vec3 target, cylinder_point c,
                     inverse_answer *out)
 {
@@ -145,6 +165,7 @@ status inverse_line(const inverse *inv, scope_state *state, vec3 target, inverse
     status st = OK;
     const cylinder_point c = cylinder_of(state, target);
     TRY(roots(inv, state, target, c, out));
+    TRY(end_roots(inv, state, target, c, out));
     if (out->npose == 0) {
         // of a target at the very end of the reach it is the root
         TRY(keep_root(state, target, c, nearest_bend(inv, c), out));
