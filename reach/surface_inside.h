@@ -22,7 +22,7 @@ status surface_orient(surface_work *w);
 status surface_flip_flat(surface_work *w);
 // surface_cross.c: no two triangles cross or touch but at what they share
 status surface_check_crossings(surface_work *w);
-// surface_parts.c: turns pieces that bound islands
+// surface_nest.c: turns pieces that bound islands
 status surface_nest(surface_work *w);
 
 // ERR_FILE "FILE: words, one at (x, y, z) mm"

@@ -1,4 +1,4 @@
-// reach/surface_parts.c
+// reach/surface_nest.c
 // A piece that lies within an odd number of others bounds an island: outward from what is enclosed
 // is into it.
 #include "reach/surface_inside.h"
