@@ -130,7 +130,8 @@ done:
     return st;
 }
 
-status inverse_solve(const inverse *inv, scope_state *state, vec3 target, inverse_answer *out)
+status inverse_family(const inverse *inv, scope_state *state, vec3 target, int want,
+                      inverse_answer *out)
 {
     status st = OK;
     if (scope_of(state) != inv->scope) {
@@ -147,7 +148,7 @@ status inverse_solve(const inverse *inv, scope_state *state, vec3 target, invers
     if (inv->scope->njoint == SCOPE_BEND + 1) {
         TRY(inverse_line(inv, state, target, out));
     } else {
-        TRY(inverse_many(inv, state, target, out));
+        TRY(inverse_many(inv, state, target, want, out));
     }
     if (out->npose == 0) {
         TRY(limit_of(state, target, out));
@@ -155,6 +156,14 @@ status inverse_solve(const inverse *inv, scope_state *state, vec3 target, invers
 
 done:
     return st;
+}
+
+// poses of a family that are enough for who wants one
+enum { USUAL_POSES = 6 };
+
+status inverse_solve(const inverse *inv, scope_state *state, vec3 target, inverse_answer *out)
+{
+    return inverse_family(inv, state, target, USUAL_POSES, out);
 }
 
 // --- made once

@@ -44,6 +44,11 @@ double inverse_spacing(const inverse *inv);
 // `state` of the same scope. `target` in the world. Not reachable is an answer, no failure.
 status inverse_solve(const inverse *inv, scope_state *state, vec3 target, inverse_answer *out);
 
+// The same with about `want` poses, at most INVERSE_POSES, of the family that more than one bending
+// joint has: from starts all over the grid's cells that may hold the target.
+status inverse_family(const inverse *inv, scope_state *state, vec3 target, int want,
+                      inverse_answer *out);
+
 // Orthonormal directions in the scaled joints (each by its range) that leave the tip where it is,
 // to first order: at most njoint - 3, as rows of motions of q. Returns how many.
 int inverse_null_space(const scope *s, const double *jacobian, double (*direction)[SCOPE_JOINTS]);

@@ -35,4 +35,5 @@ status inverse_line(const inverse *inv, scope_state *state, vec3 target, inverse
 // inverse_fit.c: from here, in the limits; more than one step never makes it worse
 status inverse_fit(scope_state *state, vec3 target, inverse_pose *pose);
 // inverse_many.c: more than one bending joint
-status inverse_many(const inverse *inv, scope_state *state, vec3 target, inverse_answer *out);
+status inverse_many(const inverse *inv, scope_state *state, vec3 target, int want,
+                    inverse_answer *out);

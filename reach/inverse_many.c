@@ -74,21 +74,41 @@ done:
     return st;
 }
 
-// Where no cell can hold the target, this many starts find a pose that is near; of a whole family
-// of poses this many are enough.
-enum { STARTS_OUTSIDE = 1, ENOUGH_POSES = 6 };
+// Where no cell can hold the target, this many starts find a pose that is near.
+enum { STARTS_OUTSIDE = 1 };
 
-status inverse_many(const inverse *inv, scope_state *state, vec3 target, inverse_answer *out)
+// cells that may hold the target, evenly over all that do, so that the poses are of the whole
+// family
+static status spread(const inverse *inv, scope_state *state, vec3 target, int want,
+                     inverse_answer *out)
+{
+    status st = OK;
+    const cylinder_point c = cylinder_of(state, target);
+    int holding = 0, next = 0;
+    for (int k = 0; k < inv->grid.ncell; k++) {
+        holding += start_at(inv, c, k).miss == 0;
+    }
+    for (int k = 0, i = 0; k < inv->grid.ncell; k++) {
+        if (start_at(inv, c, k).miss == 0 && i++ * want / holding >= next) {
+            next++;
+            TRY(from_cell(inv, state, target, c, k, out));
+        }
+    }
+
+done:
+    return st;
+}
+
+status inverse_many(const inverse *inv, scope_state *state, vec3 target, int want,
+                    inverse_answer *out)
 {
     status st = OK;
     const cylinder_point c = cylinder_of(state, target);
     start best[MOST_STARTS];
+    TRY(spread(inv, state, target, want, out));
     const int n = choose(inv, c, best);
-    for (int i = 0; i < n && out->npose < ENOUGH_POSES; i++) {
-        if (best[i].miss > 0 && i >= STARTS_OUTSIDE && out->npose == 0) {
-            break;
-        }
-        if (best[i].miss > 0 && out->npose > 0) {
+    for (int i = 0; i < n && out->npose == 0; i++) {
+        if (best[i].miss > 0 && i >= STARTS_OUTSIDE) {
             break;
         }
         TRY(from_cell(inv, state, target, c, best[i].cell, out));

@@ -25,6 +25,8 @@ static int nbend(const scope *s)
 
 // More than a full circle crosses itself.
 static const double most_bend = 6.283185307179586;
+// A shaft that turns farther is meant in other units.
+static const double most_turn = 1000;
 
 const char *scope_joint_name(const scope *s, int joint, char words[SCOPE_NAME])
 {
@@ -46,6 +48,10 @@ static status check_joint(const scope *s, int i)
     if (!isfinite(low) || !isfinite(high) || low > high) {
         return status_fail(ERR_INPUT, "scope %s: limits of %s: %g to %g is no range", s->name,
                            joint, low, high);
+    }
+    if (i == SCOPE_TURN && fmax(-low, high) > most_turn) {
+        return status_fail(ERR_INPUT, "scope %s: a turn of %g rad, at most %g", s->name,
+                           fmax(-low, high), most_turn);
     }
     if (i >= SCOPE_BEND && s->rod && low < 0) {
         return status_fail(ERR_INPUT, "scope %s: %s: a tendon cannot push (%g N)", s->name, joint,

@@ -1,0 +1,22 @@
+// reach/search_inside.h
+// What the two searches share.
+#pragma once
+
+#include "reach/inverse_inside.h"
+#include "reach/search.h"
+
+typedef struct search {
+    const inverse *inv;
+    scope_state *state;
+    vec3 target;
+    const room_probe *room;
+    const search_options *options;
+    search_answer *out;
+} search;
+
+// The room at a pose whose tip is near enough; keeps the best.
+status search_look(search *s, const inverse_pose *pose, double *room);
+
+// search_boxes.c, search_starts.c
+status search_boxes(search *s);
+status search_starts(search *s);
