@@ -1,9 +1,12 @@
 // bench/bench_reach.c
-// Time of a scope's forward solves and of its inverse.
+// Time of a scope's forward solves, of its inverse and of its search in a surface of 100,000
+// triangles.
 #include "bench/bench.h"
+#include "base/memory.h"
 #include "tests/unit/reach/scopes.h"
 
 #include "reach/inverse.h"
+#include "reach/scope_room.h"
 
 enum { ROUNDS = 5, TARGETS = 400 };
 
@@ -111,6 +114,107 @@ done:
     return st;
 }
 
+// --- in a surface
+
+enum { ROWS = 160, COLUMNS = 320, CORNERS = 2 * ROWS * COLUMNS, WANTED = 20 };
+
+// a bent ellipsoid about the entry line
+static vec3 wall(int row, int column)
+{
+    const double a = PROTOTYPE_PI * row / ROWS, b = 2 * PROTOTYPE_PI * (column % COLUMNS) / COLUMNS;
+    const double r = row % ROWS ? 0.018 * sin(a) : 0;
+    return (vec3){{r * cos(b) + 4e-3 * sin(a), r * sin(b), 0.035 - 0.04 * cos(a)}};
+}
+
+static status make_wall(surface *out)
+{
+    status st = OK;
+    double(*corner)[3][3] = NULL;
+    surface_report report;
+    int n = 0;
+    TRY(TAKE(corner, CORNERS));
+    for (int i = 0; i < ROWS * COLUMNS; i++) {
+        const int r = i / COLUMNS, c = i % COLUMNS;
+        const vec3 p[4] = {wall(r, c), wall(r + 1, c), wall(r + 1, c + 1), wall(r, c + 1)};
+        for (int half = 0; half < 2; half++) {
+            // two corners are one at the poles
+            if (half == 0 ? r < ROWS - 1 : r > 0) {
+                for (int k = 0; k < 9; k++) {
+                    corner[n][k / 3][k % 3] = p[k / 3 == 0 ? 0 : k / 3 + half].a[k % 3];
+                }
+                n++;
+            }
+        }
+    }
+    TRY(surface_make(n, (const double(*)[3][3])corner,
+                     &(surface_options){.path = "bent ellipsoid", .merge = 1e-8}, out, &report));
+
+done:
+    free(corner);
+    return st;
+}
+
+static status search_all(const char *name, const scope *s, const distance_tree *tree, double *ms)
+{
+    status st = OK;
+    scope_state *state = NULL;
+    inverse *inv = NULL;
+    const pose entry = pose_identity();
+    scope_room in = {.tree = tree, .tolerance = 1e-5};
+    const room_probe room = scope_room_probe(&in);
+    const search_options options = search_options_default();
+    int verdict[4] = {0}, looks = 0, proved = 0;
+    const double start = bench_cpu_ms();
+    TRY(scope_state_make(s, &entry, &state));
+    TRY(inverse_make(s, &inv));
+    for (int k = 0; k < WANTED; k++) {
+        search_answer a;
+        // from well inside to the wall
+        vec3 target = wall(60 + 4 * k, 67 * k);
+        target.a[0] *= 0.5 + 0.45 * k / WANTED;
+        target.a[1] *= 0.5 + 0.45 * k / WANTED;
+        TRY(search_solve(inv, state, target, &room, &options, &a));
+        verdict[a.verdict]++;
+        proved += a.verdict == SEARCH_COLLISION && a.bound < 0;
+        looks += a.looks;
+    }
+    *ms = bench_cpu_ms() - start;
+    printf("%-22s %d targets: %d reached, %d out of reach, %d joint limit, %d touch (%d proved); "
+           "%d looks, %.0f ms\n",
+           name, WANTED, verdict[0], verdict[1], verdict[2], verdict[3], proved, looks, *ms);
+
+done:
+    inverse_free(inv);
+    scope_state_free(state);
+    return st;
+}
+
+static status searches(int *missed)
+{
+    status st = OK;
+    surface s = {0};
+    distance_tree *tree = NULL;
+    made_scope m = arc_scope();
+    double ms;
+    TRY(make_wall(&s));
+    TRY(distance_tree_make(&s, &tree));
+    printf("\nin a surface of %d triangles, map included\n", s.ntriangle);
+    TRY(search_all("constant curvature", &m.scope, tree, &ms));
+    *missed |= bench_target("20 targets", 1e-3 * ms, 2, "s");
+    for (int n = 1; n <= 2; n++) {
+        neuro_scope(n, usual_plan, &m);
+        st = search_all(n == 1 ? "neuro, 1 tendon" : "neuro, 2 tendons", &m.scope, tree, &ms);
+        free_scope(&m);
+        TRY(st);
+        *missed |= bench_target("20 targets", 1e-3 * ms, 2, "s");
+    }
+
+done:
+    distance_tree_free(tree);
+    surface_free(&s);
+    return st;
+}
+
 static status all(int *missed)
 {
     status st = OK;
@@ -128,6 +232,7 @@ static status all(int *missed)
         free_scope(&m);
         *missed |= bench_target("one target out of reach", 1e-3 * t.outside, 1, "ms");
     }
+    TRY(searches(missed));
 
 done:
     return st;
