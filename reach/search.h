@@ -39,11 +39,11 @@ typedef struct search_answer {
     inverse_pose pose; // reached: that of the most room found; collision: of the least depth; else
                        // the nearest
     double room, s;    // of that pose [m]; of one that is too far NAN
-    // No pose whose tip is near has more room than this [m]. Under 0: the target is proved not to be
-    // reached; else no pose was found that does, and none has more room than a few times the
+    // No pose whose tip is near has more room than this [m]. Under 0: the target is proved not to
+    // be reached; else no pose was found that does, and none has more room than a few times the
     // resolution, unless the looks ran out. INFINITY: not known, the search was from starts.
     double bound;
-    int joint;    // of the verdict SEARCH_JOINT_LIMIT, else -1
+    int joint; // of the verdict SEARCH_JOINT_LIMIT, else -1
     int looks, starts;
 } search_answer;
 

@@ -9,7 +9,7 @@ enum { JOINTS = SCOPE_BEND + 1, MOST_PIECES = 4000 };
 static const double pi = 3.14159265358979323846;
 
 // Once the target is reached, so many looks more are spent on a pose with more room.
-static const int looks_after = 200;
+static const int looks_after = 30;
 
 typedef struct box {
     double low[JOINTS], high[JOINTS];
@@ -122,6 +122,14 @@ static status consider(search *s, cylinder_point c, heap *h, box *b)
     TRY(inverse_miss(s->state, s->target, &pose));
     TRY(search_look(s, &pose, &room));
     b->bound = fmin(b->bound, room + b->motion + shift);
+    if (shift > b->motion) {
+        // far from the box: its middle says more
+        pose.q[SCOPE_INSERTION] = middle[0];
+        pose.q[SCOPE_TURN] = middle[1];
+        TRY(inverse_miss(s->state, s->target, &pose));
+        TRY(search_look(s, &pose, &room));
+        b->bound = fmin(b->bound, room + b->motion);
+    }
     push(h, b);
 
 done:
