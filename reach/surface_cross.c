@@ -12,7 +12,7 @@
 // of the diagonal: nearer than this they touch; some thousand times what rounding does
 static const double TOUCH = 1e-12;
 // looks at pairs per triangle and in all: far beyond any surface that is not made to take for ever
-enum { MOST_EACH = 300, MOST_ALWAYS = 100 * 1000 * 1000 };
+enum { MOST_EACH = 300, MOST_ALWAYS = 50 * 1000 * 1000 };
 
 typedef struct crossing {
     const surface *s;
