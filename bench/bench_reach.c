@@ -118,12 +118,12 @@ done:
 
 enum { ROWS = 160, COLUMNS = 320, CORNERS = 2 * ROWS * COLUMNS, WANTED = 20 };
 
-// a bent ellipsoid about the entry line
+// a bent ellipsoid, flat as ventricles are, about the entry line
 static vec3 wall(int row, int column)
 {
     const double a = PROTOTYPE_PI * row / ROWS, b = 2 * PROTOTYPE_PI * (column % COLUMNS) / COLUMNS;
     const double r = row % ROWS ? 0.018 * sin(a) : 0;
-    return (vec3){{r * cos(b) + 4e-3 * sin(a), r * sin(b), 0.035 - 0.04 * cos(a)}};
+    return (vec3){{r * cos(b) + 4e-3 * sin(a), 0.5 * r * sin(b), 0.035 - 0.04 * cos(a)}};
 }
 
 static status make_wall(surface *out)
