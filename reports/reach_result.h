@@ -97,7 +97,8 @@ typedef struct reach_result {
     pose entry;          // z along the line
     double entry_free;   // of the line, from the entry on, where the shaft is not looked at
     double tolerance, clearance;
-    int tip, path; // reach_tip, reach_path
+    double resolution; // boxes of joints in which the body moves by less were not divided [m]
+    int tip, path;     // reach_tip, reach_path
     int ntarget;
     char (*target_name)[REACH_NAME];
     double (*target)[3];
@@ -109,9 +110,11 @@ typedef struct reach_result {
     reach_design_result design;
 } reach_result;
 
-// Room for all of these by the counts in `sizes` (nvertex ... nscope, design.nparameter ...),
-// zeroed; of answers' bodies nothing yet.
+// Room for all of these by the counts in `sizes` (nvertex ... nscope, and where design.there its
+// counts), zeroed; of answers' bodies nothing yet. out->there is set.
 status reach_result_make(const reach_result *sizes, reach_result *out);
+// The same for the design alone, where a search is told of later.
+status reach_design_make(int nparameter, int nrow, reach_design_result *out);
 status reach_answer_room(reach_answer *a, int npoint, int npath);
 void reach_result_free(reach_result *r);
 

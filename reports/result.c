@@ -132,6 +132,7 @@ void run_result_free(run_result *r)
     free(r->compare);
     sensitivity_result_free(&r->sensitivity);
     fit_result_free(&r->fit);
+    reach_result_free(&r->reach);
     free(r->fitted_case);
     *r = (run_result){0};
 }

@@ -13,6 +13,7 @@
 #include "io/store.h"
 #include "reports/fit_result.h"
 #include "reports/measured_result.h"
+#include "reports/reach_result.h"
 #include "reports/sensitivity_result.h"
 #include "rodsolver/rod.h"
 #include "section/answers.h"
@@ -170,7 +171,8 @@ typedef struct run_result {
     bool has_sensitivity;
     sensitivity_result sensitivity;
     fit_result fit;
-    char *fitted_case; // with the fitted values put in, NUL at its end; not in the store
+    reach_result reach; // where reach.there
+    char *fitted_case;  // with the fitted values put in, NUL at its end; not in the store
 
     char **load_name; // [segment.nload], owned, where a store was read; NULL where the case owns
                       // the loads' names
