@@ -55,6 +55,20 @@ row() {
     echo "$2" | awk -v name="$1" '{ printf "%-32s %10d %8d %10d %10.2f %8.2f %8.2f\n", name, $1, $3, $4, $9, $10, $11 }'
 }
 
+# what the checks hold to a part of their cases, with all of them: `reach_full`
+reach_full() {
+    full_bad=0
+    for program in "$bin"/verify_inverse "$bin"/verify_distance "$bin"/verify_search; do
+        if "$program" full; then
+            printf 'PASS  %s, every case\n' "${program##*/verify_}"
+        else
+            printf 'FAIL  %s\n' "${program##*/verify_}"
+            full_bad=1
+        fi
+    done
+    return $full_bad
+}
+
 # verdict WORDS ROW ROW LEAST: wall time of the first over the second's
 verdict() {
     echo "$2 $3" | awk -v words="$1" -v least="$4" '{
@@ -66,6 +80,7 @@ verdict() {
 names() {
     echo process
     echo segment_scaling
+    echo reach_full
     for program in "$bin"/bench_*; do
         name=$(basename "$program")
         case $name in
@@ -84,6 +99,8 @@ one() {
     elif [ "$1" = segment_scaling ]; then
         STIFFAXIS_BENCH_POINTS=$out/$1.csv
         segment_scaling
+    elif [ "$1" = reach_full ]; then
+        reach_full
     else
         STIFFAXIS_BENCH_POINTS=$out/$1.csv "$bin/bench_$1"
     fi >"$out/$1.txt" 2>&1 || bad=1

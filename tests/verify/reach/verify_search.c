@@ -1,11 +1,22 @@
 // tests/verify/reach/verify_search.c
 // Whether a target is reached without touching, against dense brute force and against obstacles
 // whose free sets are known in closed form.
+#include "tests/campaign.h"
 #include "tests/unit/reach/scopes.h"
 
 #include "reach/search.h"
 
 enum { POINTS = 60 };
+
+// targets that brute force looks for too, its bends, and its steps of insertion and of turn to
+// either side
+typedef struct campaign {
+    int targets, bends, steps;
+} campaign;
+
+static const campaign full_arc = {200, 400, 12}, full_rod = {12, 200, 12};
+static const campaign check_arc = {20, 150, 7}, check_rod = {8, 80, 5};
+
 // what is not proved has no more room than this many times the resolution
 static const double few = 3;
 
@@ -76,27 +87,27 @@ static void stop(toy_search *t)
 }
 
 // every pose of a grid about the target whose tip is near enough: the most room of all
-static double dense_room(toy_search *t, vec3 target, int nbend)
+static double dense_room(toy_search *t, vec3 target, const campaign *size)
 {
-    enum { STEPS = 12 };
     const scope *s = t->scope;
+    const int steps = size->steps;
     const double tol = t->options.tolerance, rho = hypot(target.a[0], target.a[1]);
     double best = -INFINITY;
-    for (int i = 0; i <= nbend; i++) {
+    for (int i = 0; i <= size->bends; i++) {
         vec3 bent;
-        double q[SCOPE_JOINTS] = {0, 0, s->low[2] + (s->high[2] - s->low[2]) * i / nbend};
+        double q[SCOPE_JOINTS] = {0, 0, s->low[2] + (s->high[2] - s->low[2]) * i / size->bends};
         CHECK_OK(scope_bend(t->state, q));
         CHECK_OK(scope_bent_tip(t->state, &bent, NULL));
         const double r = hypot(bent.a[0], bent.a[1]);
         if (fabs(r - rho) > tol) {
             continue;
         }
-        for (int k = 0; k < (2 * STEPS + 1) * (2 * STEPS + 1); k++) {
+        for (int k = 0; k < (2 * steps + 1) * (2 * steps + 1); k++) {
             const double spread = fmin(PROTOTYPE_PI, 1.2 * tol / fmin(r, rho));
             q[1] = atan2(target.a[1], target.a[0]) - atan2(bent.a[1], bent.a[0]);
             q[1] =
-                remainder(q[1] + spread * (k % (2 * STEPS + 1) - STEPS) / STEPS, 2 * PROTOTYPE_PI);
-            q[0] = target.a[2] - bent.a[2] + tol * (k / (2 * STEPS + 1) - STEPS) / (double)STEPS;
+                remainder(q[1] + spread * (k % (2 * steps + 1) - steps) / steps, 2 * PROTOTYPE_PI);
+            q[0] = target.a[2] - bent.a[2] + tol * (k / (2 * steps + 1) - steps) / (double)steps;
             if (scope_within(s, q) &&
                 distance(scope_point(t->state, q, s->length), target) <= tol) {
                 double at = 0;
@@ -125,19 +136,19 @@ static search_answer answer(toy_search *t, vec3 target)
 }
 
 // the same verdict, at least as much room where it decides, and never more than the bound
-static void against_dense(const char *name, toy_search *t, int targets, int nbend)
+static void against_dense(const char *name, toy_search *t, const campaign *size)
 {
     unsigned long long seed = 9;
     int reached = 0, touched = 0, away = 0, open = 0;
     long looks = 0;
-    for (int k = 0; k < targets; k++) {
+    for (int k = 0; k < size->targets; k++) {
         double q[SCOPE_JOINTS];
         random_joints(t->scope, &seed, q);
         CHECK_OK(scope_bend(t->state, q));
         vec3 target = scope_point(t->state, q, t->scope->length);
         target.a[0] += k % 4 == 0 ? 2e-3 : 0;
         const search_answer a = answer(t, target);
-        const double dense = dense_room(t, target, nbend);
+        const double dense = dense_room(t, target, size);
         looks += a.looks;
         if (a.verdict == SEARCH_REACHED) {
             reached++;
@@ -155,7 +166,7 @@ static void against_dense(const char *name, toy_search *t, int targets, int nben
     }
     printf("%-28s %d reached, %d touch (%d of them undecided within the resolution), %d out of "
            "reach, %.0f looks each\n",
-           name, reached, touched, open, away, (double)looks / targets);
+           name, reached, touched, open, away, (double)looks / size->targets);
     CHECK(reached > 0 && touched > 0);
 }
 
@@ -261,8 +272,9 @@ static void more_joints(void)
     free_scope(&m);
 }
 
-int main(void)
+int main(int argc, char **argv)
 {
+    const bool whole = campaign_is_full(argc, argv);
     made_scope arc = arc_scope();
     toy_search t = {0};
     start(&arc.scope, &t);
@@ -270,11 +282,11 @@ int main(void)
     slab_has_its_closed_form(&t);
     reasons_are_named(&t);
     t.toy = (toy){out_of_ball, {{5e-3, 2e-3, 0.06}}, 6e-3};
-    against_dense("constant curvature, ball", &t, 60, 400);
+    against_dense("constant curvature, ball", &t, whole ? &full_arc : &check_arc);
     t.toy = (toy){under_slab, {{0}}, 0.06};
-    against_dense("constant curvature, slab", &t, 60, 400);
+    against_dense("constant curvature, slab", &t, whole ? &full_arc : &check_arc);
     t.toy = (toy){in_tube, {{0}}, 8e-3};
-    against_dense("constant curvature, tube", &t, 60, 400);
+    against_dense("constant curvature, tube", &t, whole ? &full_arc : &check_arc);
     stop(&t);
 
     made_scope m;
@@ -283,9 +295,9 @@ int main(void)
     t = (toy_search){0};
     start(&m.scope, &t);
     t.toy = (toy){out_of_ball, {{3e-3, 2e-3, 0.06}}, 5e-3};
-    against_dense("neuro-endoscope, ball", &t, 12, 200);
+    against_dense("neuro-endoscope, ball", &t, whole ? &full_rod : &check_rod);
     t.toy = (toy){in_tube, {{0}}, 9e-3};
-    against_dense("neuro-endoscope, tube", &t, 12, 200);
+    against_dense("neuro-endoscope, tube", &t, whole ? &full_rod : &check_rod);
     stop(&t);
     free_scope(&m);
     more_joints();
