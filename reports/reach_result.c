@@ -24,9 +24,20 @@ done:
     return st;
 }
 
+status reach_answer_way(reach_answer *a, int nway)
+{
+    status st = OK;
+    TRY(TAKE(a->way, (size_t)nway));
+    a->nway = nway;
+
+done:
+    return st;
+}
+
 static void free_answer(reach_answer *a)
 {
     free(a->path);
+    free(a->way);
     free(a->along);
     free(a->point);
     free(a->room);

@@ -11,6 +11,9 @@
 
 enum { REACH_NAME = 64, REACH_TEXT = 160 };
 
+// of a way in that is shown: so many poses at most, each a body of so many points
+enum { REACH_WAY_STEPS = 32, REACH_WAY_POINTS = 33 };
+
 // verdicts; the first four are those of a search (reach/search.h)
 typedef enum reach_verdict {
     REACH_REACHED,
@@ -35,11 +38,14 @@ typedef struct reach_answer {
     double path_clearance;        // least on the way in [m]; NAN: not asked for, or no pose
     int npath;                    // poses of the way in, 0: none
     double (*path)[SCOPE_JOINTS]; // [npath]
-    int npoint;                   // of the body in that pose, from the entry to the tip
-    double *along;                // [npoint] s [m]
-    double (*point)[3];           // [npoint]
-    double *room;                 // [npoint] clearance there [m]
-    char why[REACH_TEXT];         // the reason in words, "" where it is reached
+    int nway; // bodies along the path that are shown, spread over it, the first and last among
+              // them
+    double (*way)[REACH_WAY_POINTS][3]; // [nway] each at equal steps from the entry to the tip
+    int npoint;                         // of the body in that pose, from the entry to the tip
+    double *along;                      // [npoint] s [m]
+    double (*point)[3];                 // [npoint]
+    double *room;                       // [npoint] clearance there [m]
+    char why[REACH_TEXT];               // the reason in words, "" where it is reached
 } reach_answer;
 
 // A sample of the tissue's surface in the reach map.
@@ -116,6 +122,7 @@ status reach_result_make(const reach_result *sizes, reach_result *out);
 // The same for the design alone, where a search is told of later.
 status reach_design_make(int nparameter, int nrow, reach_design_result *out);
 status reach_answer_room(reach_answer *a, int npoint, int npath);
+status reach_answer_way(reach_answer *a, int nway);
 void reach_result_free(reach_result *r);
 
 const char *reach_verdict_words(int verdict); // "reached", "out of reach", ...
