@@ -54,6 +54,7 @@ typedef enum reach_map_state { MAP_NOT_REACHED, MAP_REACHED, MAP_UNDECIDED } rea
 typedef struct reach_scope_result {
     char name[REACH_NAME], kind[REACH_NAME]; // "constant curvature", "rod, full K, 1 tendon"
     double length, radius;
+    bool arc; // of constant curvature: its third joint is the bend [rad], not a tension
     int njoint;
     double low[SCOPE_JOINTS], high[SCOPE_JOINTS]; // joint limits as used
     char limit_note[REACH_TEXT];                  // "tension limited by the strain of soft"; ""

@@ -195,6 +195,8 @@ status result_json_segment(json *j, const char *key, const run_result *r);
 status result_json_compare(json *j, const char *key, const run_result *r);
 status result_json_sensitivity(json *j, const char *key, const run_result *r);
 status result_json_fit(json *j, const char *key, const run_result *r); // reports/json_fit.c
+status result_json_reach(json *j, const char *key,
+                         const run_result *r); // reports/json_reach.c
 status result_json_run(json *j, const run_result *r);
 
 // reports/json_measured.c, "measured": errors against measured shapes; inside the comparison's

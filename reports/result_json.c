@@ -106,6 +106,7 @@ status result_json_run(json *j, const run_result *r)
     TRY(r->has_compare ? result_json_compare(j, "compare", r) : OK);
     TRY(r->has_sensitivity ? result_json_sensitivity(j, "sensitivity", r) : OK);
     TRY(r->fit.there ? result_json_fit(j, "fit", r) : OK);
+    TRY(r->reach.there ? result_json_reach(j, "reach", r) : OK);
     json_object_end(j);
 
 done:

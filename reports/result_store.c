@@ -123,6 +123,7 @@ static status pass_all(const passage *p, run_result *r)
     TRY(r->has_compare ? store_pass_models(p, r) : OK);
     TRY(store_pass_sensitivity(p, r));
     TRY(store_pass_fit(p, r));
+    TRY(store_pass_reach(p, r));
 
 done:
     return st;

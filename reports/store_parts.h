@@ -49,7 +49,8 @@ status store_pass_segment_fields(const passage *p, int load, run_result *r); // 
 status store_pass_sensitivity(const passage *p, run_result *r);              // after the rod
 status store_pass_models(const passage *p, run_result *r);                   // with the comparisons
 status store_pass_measured(const passage *p, run_result *r);                 // after the rod
-status store_pass_fit(const passage *p, run_result *r); // nothing where nothing was fitted
+status store_pass_fit(const passage *p, run_result *r);   // nothing where nothing was fitted
+status store_pass_reach(const passage *p, run_result *r); // nothing without a reach study
 
 // The solved sections' laws by fingerprint.
 status store_write_known(store *s, const char *path, const section_known *known);
