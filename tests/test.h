@@ -5,10 +5,17 @@
 #include "base/status.h"
 
 #include <math.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 
 static int test_failures;
+
+// Whole campaigns, ./run long; the check runs a short form of them.
+static inline bool test_is_long(void)
+{
+    return getenv("STIFFAXIS_LONG") != NULL;
+}
 
 #define CHECK(condition)                                                                           \
     do {                                                                                           \

@@ -22,9 +22,13 @@ rod='schema solutions tensions_N tip_position_m tip_rotation tendon_length_m ite
 fem='schema dofs K stiffness_centre_m loads name shortening_m tip_rotation_rad mid_curvature_per_m strain_energy_J'
 
 document 0 "$section stiffaxis/section/1" "$program" section "$cases/constant_nc.yaml" --json
+cp "$work/out" "$work/section.json"
 document 0 "$rod stiffaxis/rod/1" "$program" rod "$cases/constant_nc.yaml" --json
+cp "$work/out" "$work/rod.json"
 document 0 "$fem stiffaxis/fem/1" "$program" fem "$cases/fig4.yaml" --json
+cp "$work/out" "$work/fem.json"
 document 0 'schema rows measured' "$program" compare "$cases/helical_nc.yaml" --json
+cp "$work/out" "$work/helical_nc.json"
 document 0 'stiffaxis/run/1 section rod measured compare' "$program" run "$cases/helical_nc.yaml" --json
 document 0 'stiffaxis/check/1 valid' "$program" check "$cases/fig4.yaml" --json
 document 0 'properties' "$program" schema --json
@@ -39,9 +43,6 @@ document 4 'stiffaxis/error/1' "$program" rod "$cases/homogeneous_tube.yaml" --j
 
 # one number of each, so that a key is not an empty promise: EA in closed form, 226 deg of bend, 20 mm of segment
 if command -v python3 >/dev/null; then
-    "$program" section "$cases/constant_nc.yaml" --json >"$work/section.json"
-    "$program" rod "$cases/constant_nc.yaml" --json >"$work/rod.json"
-    "$program" fem "$cases/fig4.yaml" --json >"$work/fem.json"
     python3 - "$work" <<'END' || fail 'the numbers are not as they should be'
 import json, math, sys
 load = lambda name: json.load(open(f"{sys.argv[1]}/{name}.json"))
@@ -63,7 +64,7 @@ fi
 
 # what the comparisons allow: a row that cannot fail says nothing
 if command -v python3 >/dev/null; then
-    for name in fig4 helical_nc homogeneous_tube; do
+    for name in fig4 homogeneous_tube; do
         expect 0 "$program" compare "$cases/$name.yaml" --json
         cp "$work/out" "$work/$name.json"
     done

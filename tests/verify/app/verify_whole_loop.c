@@ -271,9 +271,9 @@ static void scan_cloud(const bench *b, int k, unsigned long seed, double *off)
 
 static void clouds_give_both_numbers(const bench *b)
 {
-    enum { SEEDS = 5 };
+    const unsigned long seeds = test_is_long() ? 5 : 2;
     int inside = 0;
-    for (unsigned long seed = 1; seed <= SEEDS; seed++) {
+    for (unsigned long seed = 1; seed <= seeds; seed++) {
         double off = 0, most = 0;
         for (int k = 0; k < TENSIONS; k++) {
             scan_cloud(b, k, 100 * seed + (unsigned long)k, &off);
@@ -288,7 +288,7 @@ static void clouds_give_both_numbers(const bench *b)
         CHECK_NEAR(o.value[0], true_radius, 0.02);
         CHECK_NEAR(o.value[1], true_friction, 0.05);
     }
-    CHECK(inside >= 9); // of ten: fewer in 9 of 100 such tests at 95 %
+    CHECK(inside + 1 >= 2 * (int)seeds); // of ten two outside: in 9 of 100 such tests at 95 %
 }
 
 int main(void)
