@@ -32,7 +32,7 @@ for block in "$work"/block*; do
 done
 
 # the figures that the page names
-expect 0 "$program" run cases/constant_nc.yaml --out "$work/constant"
+expect 0 "$program" rod cases/constant_nc.yaml --out "$work/constant"
 for figure in rods curvature section; do
     [ -s "$work/constant/$figure.svg" ] || fail "no $figure.svg"
 done

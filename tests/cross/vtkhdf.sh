@@ -98,6 +98,7 @@ END
 for pair in mapped:12 free:13; do
     kind=${pair%:*}
     "$STIFFAXIS" section "$work/case.yaml" --set "section.mesh.kind=$kind" --json --quiet >"$work/section.json"
-    "$STIFFAXIS" run "$work/case.yaml" --set "section.mesh.kind=$kind" --out "$work/$kind" --quiet >"$work/log"
+    # without the other programs that comparisons ask
+    env PATH="$work/nothing" "$STIFFAXIS" run "$work/case.yaml" --set "section.mesh.kind=$kind" --out "$work/$kind" --quiet >"$work/log"
     "$python" "$work/check.py" "$work/$kind/result.hdf" "${pair#*:}" "$work/section.json"
 done
