@@ -28,9 +28,10 @@ gmshc.h meshes/(gmsh|gmsh_sides|cad|cad_cut|cad_sizes|cad_curves)_door_module.c
 cholmod.h section/cholmod_door.c
 omp.h section/cholmod_door.c
 petsc fem/petsc_(inside\.h|[a-z_]*door_module\.c)
-mpi.h (fem/petsc_[a-z_]*|io/hdf5_share_)door_module.c
+mpi.h (fem/petsc_[a-z_]*|io/hdf5_share_|reach/mpi_)door_module.c
 gsl measure/gsl_[a-z_]*door_module.c
 embree3 reach/embree_door_module.c
+nlopt.h reach/nlopt_door_module.c
 cairo reports/cairo_door.c'
 
 bad=0
