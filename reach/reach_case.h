@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/key.h"
+#include "base/status.h"
 #include "reach/scope.h"
 
 enum {
@@ -11,6 +12,10 @@ enum {
     REACH_MAP_POINTS = 1000000,
     DESIGN_PARAMETERS = 16
 };
+
+// of the numbers in a surface's file
+typedef enum reach_unit { REACH_MM, REACH_M, REACH_CM, REACH_UM, REACH_IN } reach_unit;
+double reach_unit_metres(int unit);
 
 // A scope's tip as a rod: the case's own, or that of another case file, with some of its keys set.
 typedef struct scope_rod_case {
@@ -42,11 +47,14 @@ typedef struct scope_case {
 typedef struct entry_case {
     mark at;
     double point[3];     // [m]
-    double direction[3]; // of insertion, of any length; NAN: `towards` is given
-    double towards[3];   // a point further along the line [m]
+    double direction[3]; // of insertion, of any length
+    double towards[3];   // a point further along the line [m]; NAN: `direction` is given
     double free; // of the line behind the point, where the shaft may be in tissue (a burr hole's
                  // channel) [m]; NAN: until the line first has room for the shaft
 } entry_case;
+
+// towards the inside, not normalized
+void entry_direction(const entry_case *e, double direction[3]);
 
 typedef enum reach_tip { REACH_TIP_CENTRE, REACH_TIP_SKIN } reach_tip;
 typedef enum reach_path { REACH_FINAL_POSE, REACH_INSERTION } reach_path;
@@ -97,3 +105,7 @@ typedef struct reach_case {
 
 extern const key_table reach_keys; // `reach`
 reach_case reach_case_default(void);
+
+// What no single key shows: names twice, ranges the wrong way round, lines without a direction,
+// nothing to reach. ERR_INPUT, *where is the place of it.
+status reach_case_check(const reach_case *c, mark *where);
