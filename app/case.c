@@ -4,6 +4,7 @@
 #include "app/case_rod.h"
 #include "app/case_segment.h"
 #include "app/measured_case.h"
+#include "app/reach_case.h"
 #include "app/sensitivity.h"
 
 #include <limits.h>
@@ -30,16 +31,14 @@ static const key root_keys[] = {
     {.name = "materials",
      .kind = KEY_NAMED,
      .max_count = 64,
-     .required = true,
      .offset = offsetof(case_file, materials),
      .table = &material_keys,
-     .about = "the materials by name"},
+     .about = "the materials by name; needed where there is a section"},
     {.name = "section",
      .kind = KEY_TABLE,
-     .required = true,
      .offset = offsetof(case_file, section),
      .table = &section_keys,
-     .about = "the cross section, which may vary along the rod"},
+     .about = "the cross section, which may vary along the rod; needed by all but `reach`"},
     {.name = "rod",
      .kind = KEY_TABLE,
      .offset = offsetof(case_file, rod),
@@ -65,6 +64,11 @@ static const key root_keys[] = {
      .offset = offsetof(case_file, fit),
      .table = &fit_keys,
      .about = "what is left open, fitted to the measured shapes"},
+    {.name = "reach",
+     .kind = KEY_TABLE,
+     .offset = offsetof(case_file, reach),
+     .table = &reach_keys,
+     .about = "which targets in a body scopes reach"},
 };
 
 void case_keys(key_table *root, case_file *initial)
@@ -76,6 +80,7 @@ void case_keys(key_table *root, case_file *initial)
         .fem = segment_case_default(),
         .sensitivity = {.monte_carlo = {.seed = 1}},
         .fit = fit_case_default(),
+        .reach = reach_case_default(),
     };
     *root = (key_table){
         .name = "case",
@@ -126,10 +131,9 @@ static double last_station(const key_rows *stations)
     return last;
 }
 
-// the folder of the case file, with its last slash; "" where there is none
-static void folder_of(const char *path, char *folder, size_t room)
+void case_folder(const case_data *c, char *folder, size_t room)
 {
-    const char *slash = strrchr(path, '/');
+    const char *path = config_path(c->config), *slash = strrchr(path, '/');
     const size_t length = slash ? (size_t)(slash - path) + 1 : 0;
     (void)snprintf(folder, room, "%.*s", (int)(length < room ? length : 0), path);
 }
@@ -148,7 +152,7 @@ static status check_section(case_data *c)
     const key_rows *stations = &c->file.section.stations;
     mark where = c->file.section.at;
     char folder[PATH_MAX];
-    folder_of(config_path(c->config), folder, sizeof folder);
+    case_folder(c, folder, sizeof folder);
     const section_surroundings around = {
         .directory = folder[0] ? folder : NULL,
         .allow_scripts = c->allow_scripts,
@@ -198,18 +202,48 @@ done:
 static status check_measured(case_data *c, bool again)
 {
     char folder[PATH_MAX];
-    folder_of(config_path(c->config), folder, sizeof folder);
+    case_folder(c, folder, sizeof folder);
     return case_has_measured(c) && !again ? case_measured_bind(c, folder[0] ? folder : NULL) : OK;
+}
+
+// a case that only asks where arcs reach has no section; all else is about one
+static status check_present(const case_data *c)
+{
+    const case_file *f = &c->file;
+    const struct {
+        mark at;
+        const char *what;
+    } about[] = {{f->rod.at, "rod"},
+                 {f->fem.at, "fem"},
+                 {f->measured.at, "measured"},
+                 {f->sensitivity.at, "sensitivity"},
+                 {f->fit.at, "fit"}};
+    if (case_has_section(c)) {
+        return mark_given(f->materials.at)
+                   ? OK
+                   : config_fail(c->config, f->at, "key 'materials' is missing in the case");
+    }
+    for (int i = 0; case_has_reach(c) && i < (int)(sizeof about / sizeof *about); i++) {
+        if (mark_given(about[i].at)) {
+            return config_fail(c->config, about[i].at,
+                               "key 'section' is missing in the case: its '%s' needs one",
+                               about[i].what);
+        }
+    }
+    return case_has_reach(c) ? OK
+                             : config_fail(c->config, f->at, "key '%s' is missing in the case",
+                                           mark_given(f->materials.at) ? "section" : "materials");
 }
 
 static status check_parts(case_data *c, bool only_rod)
 {
     status st = OK;
     char folder[PATH_MAX];
+    TRY(check_present(c));
     TRY(bind_materials(c));
-    TRY(only_rod ? OK : check_section(c));
+    TRY(only_rod || !case_has_section(c) ? OK : check_section(c));
     if (case_has_rod(c)) {
-        folder_of(config_path(c->config), folder, sizeof folder);
+        case_folder(c, folder, sizeof folder);
         TRY(case_rod_bind(c, folder[0] ? folder : NULL));
     }
     if (case_has_segment(c) && !only_rod) {
@@ -243,6 +277,7 @@ status case_open(const case_request *request, case_data *out)
     TRY(check_measured(&c, request->again != NULL));
     TRY(case_has_sensitivity(&c) && !request->again ? sensitivity_check(&c) : OK);
     TRY(case_has_fit(&c) && !request->again ? case_fit_check(&c) : OK);
+    TRY(case_has_reach(&c) && !request->again ? case_reach_check(&c) : OK);
     *out = c;
     c = (case_data){0};
 
@@ -269,6 +304,11 @@ void case_free(case_data *c)
     *c = (case_data){0};
 }
 
+bool case_has_section(const case_data *c)
+{
+    return mark_given(c->file.section.at);
+}
+
 bool case_has_rod(const case_data *c)
 {
     return mark_given(c->file.rod.at);
@@ -287,6 +327,11 @@ bool case_has_sensitivity(const case_data *c)
 static status need(const case_data *c, bool there, const char *part)
 {
     return there ? OK : config_fail(c->config, (mark){1, 1}, "the case has no '%s'", part);
+}
+
+status case_need_section(const case_data *c)
+{
+    return need(c, case_has_section(c), "section");
 }
 
 status case_need_rod(const case_data *c)

@@ -10,6 +10,7 @@
 #include "fem/segment.h"
 #include "io/config.h"
 #include "measure/measured_keys.h"
+#include "reach/reach_case.h"
 #include "rodsolver/rod.h"
 #include "rodsolver/rod_case.h"
 #include "section/section.h"
@@ -27,13 +28,15 @@ typedef struct case_file {
     measured_case measured;
     sensitivity_case sensitivity;
     fit_case fit;
+    reach_case reach;
 } case_file;
 
 // A case that was read. Texts and expressions belong to `config`, which lives as long as this.
 typedef struct case_data {
     case_file file;
     config *config;
-    double length; // of the rod, else of the segment, else up to the last station [m]
+    double length; // of the rod, else of the segment, else up to the last station [m]; 0 without a
+                   // section
     int nmaterial;
     const material *materials;
     bool allow_scripts;
@@ -53,11 +56,16 @@ status case_open(const case_request *request, case_data *out);
 status command_case(const command *cmd, case_data *out); // the case that a command line names
 void case_free(case_data *c);
 
+// The folder of the case file, with its last slash; "" where there is none.
+void case_folder(const case_data *c, char *folder, size_t room);
+
+bool case_has_section(const case_data *c); // only a case that has a `reach` may lack it
 bool case_has_rod(const case_data *c);
 bool case_has_segment(const case_data *c);
 bool case_has_sensitivity(const case_data *c);
 
 // ERR_INPUT where the case lacks the part that a command is about.
+status case_need_section(const case_data *c);
 status case_need_rod(const case_data *c);
 status case_need_segment(const case_data *c);
 

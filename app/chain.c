@@ -3,6 +3,7 @@
 
 #include "app/compare.h"
 #include "app/measured_case.h"
+#include "app/reach_case.h"
 #include "app/sensitivity.h"
 #include "app/versions.h"
 #include "app/warnings.h"
@@ -14,11 +15,12 @@
 chain_parts chain_all_parts(const case_data *c)
 {
     return (chain_parts){
-        .section = true,
+        .section = case_has_section(c),
         .rod = case_has_rod(c),
         .fit = case_has_fit(c),
         .segment = case_has_segment(c),
-        .compare = true,
+        .compare = case_has_section(c),
+        .reach = case_has_reach(c),
         .sensitivity = case_has_sensitivity(c),
         .measured = case_has_measured(c),
         .pictures = true,
@@ -144,6 +146,7 @@ status chain_run(const command *cmd, const case_data *c, chain_parts parts, run_
     if (parts.compare) { // on every rank: the section's law by 3D FEM is solved by all of them
         TRY(compare_all(cmd, c, &r));
     }
+    TRY(parts.reach ? chain_reach(cmd, c, &r) : OK);
     versions_loaded(r.versions, sizeof r.versions);
     *out = r;
     r = (run_result){0};

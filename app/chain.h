@@ -9,6 +9,7 @@
 
 typedef struct chain_parts {
     bool section, rod, fit, segment, compare, sensitivity;
+    bool reach;    // which targets scopes reach; no design search
     bool measured; // the rod against measured shapes
     bool pictures; // what only figures and the store need: the section's mesh, displacements
     bool answers;  // mass, kern, warping constant of the sections, stresses under their wrenches
@@ -42,6 +43,9 @@ status chain_rod_verdict(const case_data *c, const run_result *r);
 // The case's open numbers by its measured shapes.
 status chain_fit(const command *cmd, const case_data *c, run_result *out);
 status chain_segment(const case_data *c, bool displacements, run_result *out);
+
+// Which targets the case's scopes reach, and its map. With the section where that is solved.
+status chain_reach(const command *cmd, const case_data *c, run_result *out);
 
 // The plane mesh of the section at arclength s: `order` and `size` of the elements, 0 for the
 // case's own.

@@ -138,7 +138,7 @@ status cmd_run(command *cmd)
 
 status cmd_section(command *cmd)
 {
-    return do_study(cmd, &(study){NULL, parts_section, result_json_section, print_section});
+    return do_study(cmd, &(study){case_need_section, parts_section, result_json_section, print_section});
 }
 
 status cmd_rod(command *cmd)
@@ -165,5 +165,5 @@ status cmd_fit(command *cmd)
 
 status cmd_compare(command *cmd)
 {
-    return do_study(cmd, &(study){NULL, parts_compare, result_json_compare, print_compare});
+    return do_study(cmd, &(study){case_need_section, parts_compare, result_json_compare, print_compare});
 }

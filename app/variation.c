@@ -112,15 +112,21 @@ done:
     return st;
 }
 
-// on the base's mesh: how fine it is does not depend on the values
-static status solve_section(variation *v, varied *w)
+section_case varied_section(const variation *v, const varied *w)
 {
-    status st = OK;
     section_case sc = w->c.file.section;
     sc.mesh.order = v->mesh.order;
     sc.mesh.order_chosen = v->mesh.order_chosen;
     sc.mesh.layers = v->mesh.layers;
     sc.mesh.finer = v->mesh.finer;
+    return sc;
+}
+
+// on the base's mesh: how fine it is does not depend on the values
+static status solve_section(variation *v, varied *w)
+{
+    status st = OK;
+    section_case sc = varied_section(v, w);
     sc.tolerance = 0;
     sc.stations = (key_rows){0};
     sc.known = &v->known;

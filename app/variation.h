@@ -40,6 +40,9 @@ typedef struct varied {
 status varied_make(variation *v, const settings *s, mark at, varied *out);
 void varied_free(varied *w);
 
+// Its section on the mesh that its laws were solved on, for more questions about it.
+section_case varied_section(const variation *v, const varied *w);
+
 // Which shapes, where.
 typedef struct variation_places {
     int nsolution;       // 0: all of the case

@@ -1,0 +1,81 @@
+// app/chain_reach.c
+// Which targets the scopes of a case reach: files, scopes, searches, the result.
+#include "app/chain.h"
+#include "app/reach_case.h"
+#include "app/reach_run.h"
+
+#include <string.h>
+
+static void file_name(const char *path, char *name, size_t room)
+{
+    const char *slash = strrchr(path, '/');
+    (void)snprintf(name, room, "%s", slash ? slash + 1 : path);
+}
+
+static status tell_scene(const case_data *c, const reach_scene *scene, reach_result *out)
+{
+    status st = OK;
+    const reach_case *r = &c->file.reach;
+    const surface *s = &scene->tissue;
+    const reach_result sizes = {.nvertex = s->nvertex,
+                                .ntriangle = s->ntriangle,
+                                .ntarget = scene->ntarget,
+                                .nscope = r->scopes.count};
+    TRY(reach_result_make(&sizes, out));
+    memcpy(out->vertex, s->vertex, (size_t)s->nvertex * sizeof *s->vertex);
+    memcpy(out->triangle, s->triangle, (size_t)s->ntriangle * sizeof *s->triangle);
+    if (scene->ntarget > 0) {
+        const size_t n = (size_t)scene->ntarget;
+        memcpy(out->target_name, scene->name, n * sizeof *scene->name);
+        memcpy(out->target, scene->target, n * sizeof *scene->target);
+        memcpy(out->target_depth, scene->depth, n * sizeof *scene->depth);
+    }
+    (void)snprintf(out->source, sizeof out->source, "%s", r->source ? r->source : "");
+    file_name(scene->path, out->tissue, sizeof out->tissue);
+    out->synthetic = r->synthetic;
+    out->area = s->area;
+    out->volume = s->volume;
+    out->entry = scene->entry;
+    out->entry_free = scene->free;
+    out->tolerance = r->tolerance;
+    out->clearance = r->clearance;
+    out->resolution = reach_resolution(r->tolerance);
+    out->tip = r->tip;
+    out->path = r->path;
+
+done:
+    return st;
+}
+
+static status run_scope(const reach_study *how, variation *base, int i, reach_scope_result *out)
+{
+    status st = OK;
+    reach_scope s;
+    TRY(reach_scope_make(how->c, base, i, NULL, &s));
+    st = reach_study_scope(how, &s, out);
+    reach_scope_free(&s);
+    TRY(case_place(how->c, st, case_scope(how->c, i)->at));
+
+done:
+    return st;
+}
+
+status chain_reach(const command *cmd, const case_data *c, run_result *out)
+{
+    status st = OK;
+    reach_scene scene = {0};
+    variation base = {0};
+    const reach_study how = {.c = c, .scene = &scene, .cmd = cmd, .bodies = true};
+    command_progress(cmd, "tissue and targets");
+    TRY(reach_scene_open(c, &scene));
+    TRY(tell_scene(c, &scene, &out->reach));
+    TRY(reach_base_open(c, out->has_section ? &out->section : NULL, &base));
+    for (int i = 0; i < out->reach.nscope; i++) {
+        TRY(run_scope(&how, &base, i, &out->reach.scope[i]));
+    }
+
+done:
+    variation_free(&base);
+    reach_scene_free(&scene);
+    return st;
+}

@@ -1,0 +1,20 @@
+// app/reach_run.h
+// One scope at all targets of a scene.
+#pragma once
+
+#include "app/command.h"
+#include "app/reach_scopes.h"
+
+typedef struct reach_study {
+    const case_data *c;
+    const reach_scene *scene;
+    const command *cmd; // for progress; NULL: none
+    int workers;        // as team_options has it
+    bool bodies;        // samples of the body for pictures, and strains of poses
+} reach_study;
+
+// Fills `out`, whose answers have room [ntarget]. The answers do not depend on the workers.
+status reach_study_scope(const reach_study *how, reach_scope *s, reach_scope_result *out);
+
+// How finely joints are looked at for a tip's tolerance [m].
+double reach_resolution(double tolerance);

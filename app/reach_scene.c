@@ -1,0 +1,259 @@
+// app/reach_scene.c
+#include "app/reach_scene.h"
+
+#include "app/reach_case.h"
+#include "base/memory.h"
+#include "io/disk.h"
+#include "measure/table.h"
+#include "reach/surface_line.h"
+#include "reach/surface_read.h"
+
+#include <limits.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+// --- the tissue
+
+static status read_tissue(const case_data *c, reach_scene *out)
+{
+    status st = OK;
+    const reach_case *r = &c->file.reach;
+    char folder[PATH_MAX], path[2 * PATH_MAX];
+    case_folder(c, folder, sizeof folder);
+    const bool alone = r->tissue.text[0] == '/';
+    st = disk_join(path, sizeof path, "%s%s", alone ? "" : folder, r->tissue.text);
+    TRY(case_place(c, st, r->tissue.at));
+    (void)snprintf(out->path, sizeof out->path, "%s", r->tissue.text);
+    const surface_options options = {.path = path, .merge = r->merge};
+    st = surface_read(&options, reach_unit_metres(r->tissue_unit), &out->tissue, &out->report);
+    TRY(case_place(c, st, r->tissue.at));
+    TRY(distance_tree_make(&out->tissue, &out->tree));
+
+done:
+    return st;
+}
+
+// --- the line
+
+// of the widest scope, with what is to be left beside it
+static double widest_room(const case_data *c)
+{
+    double widest = 0;
+    for (int i = 0; i < c->file.reach.scopes.count; i++) {
+        widest = fmax(widest, case_scope(c, i)->radius);
+    }
+    return widest + c->file.reach.clearance;
+}
+
+// Steps along the line are as long as the wall is sure to be too near, but never shorter than this
+// part of the shaft's radius, or of the line's way through the tissue.
+static const double least_of_radius = 1e-2, least_of_way = 1e-4;
+
+// From `from` to `to` along the line: where the wall is first `room` away. Else `to`, and where the
+// line has most.
+static double first_room(const reach_scene *s, double room, double from, double to, double *most,
+                         double *most_at)
+{
+    const vec3 z = mat3_mul_vec(s->entry.R, (vec3){{0, 0, 1}});
+    const double least = fmax(least_of_radius * room, least_of_way * (to - from));
+    double t = from;
+    *most = -INFINITY;
+    while (t < to) {
+        const vec3 p = vec3_add(s->entry.p, vec3_scale(t, z));
+        const double here = distance_to(s->tree, p).distance;
+        if (here > *most) {
+            *most = here;
+            *most_at = t;
+        }
+        if (here >= room && here >= 0) {
+            return t;
+        }
+        t += fmax(room - here, least);
+    }
+    return to;
+}
+
+static status find_free(const case_data *c, const surface_passage *passage, int n, reach_scene *s)
+{
+    const entry_case *e = &c->file.reach.entry;
+    const double room = widest_room(c), last = n > 0 ? passage[n - 1].along : -1;
+    double most = 0, at = 0;
+    if (n == 0) {
+        return config_fail(c->config, e->at, "the entry line misses the tissue (%s): are point and "
+                                             "direction in its frame?",
+                           s->path);
+    }
+    if (last <= 0) {
+        return config_fail(c->config, e->at,
+                           "the entry line leads away from the tissue (%s): it leaves it %.4g mm "
+                           "behind the point; does it go the other way?",
+                           s->path, -1e3 * last);
+    }
+    s->free = e->free;
+    if (!isnan(e->free)) {
+        return OK;
+    }
+    s->free = first_room(s, room, 0, last, &most, &at);
+    return s->free < last
+               ? OK
+               : config_fail(c->config, e->at,
+                             "the entry line has nowhere room for a shaft of %.4g mm radius: at "
+                             "most %.4g mm, %.4g mm from the point",
+                             1e3 * room, 1e3 * most, 1e3 * at);
+}
+
+// the smallest turn of the world that brings its z onto the line: q[1] = 0 is there
+static mat3 turn_onto(vec3 z)
+{
+    const vec3 across = {{-z.a[1], z.a[0], 0}}; // e_z x z
+    const double sine = vec3_norm(across);
+    const vec3 axis = sine > 0 ? vec3_scale(1 / sine, across) : (vec3){{1, 0, 0}};
+    return so3_exp(vec3_scale(atan2(sine, z.a[2]), axis));
+}
+
+static status lay_line(const case_data *c, reach_scene *out)
+{
+    status st = OK;
+    const entry_case *e = &c->file.reach.entry;
+    surface_passage *passage = NULL;
+    int n = 0;
+    vec3 d;
+    entry_direction(e, d.a);
+    const vec3 z = vec3_scale(1 / vec3_norm(d), d);
+    out->entry = (pose){turn_onto(z), {{e->point[0], e->point[1], e->point[2]}}};
+    TRY(surface_line(&out->tissue, out->entry.p, z, &passage, &n));
+    TRY(find_free(c, passage, n, out));
+
+done:
+    free(passage);
+    return st;
+}
+
+// --- the targets
+
+static status take_places(const table *t, reach_scene *out)
+{
+    status st = OK;
+    static const char *const axis[3] = {"x", "y", "z"};
+    double *x = NULL;
+    for (int k = 0; k < 3; k++) {
+        int column = -1;
+        TRY(table_need(t, axis[k], DIM_LENGTH, &column));
+        free(x);
+        x = NULL;
+        TRY(table_take(t, column, DIM_LENGTH, &x));
+        for (int i = 0; i < t->nrow; i++) {
+            if (isnan(x[i])) {
+                TRY(table_fail(t, i, "a target without its %s", axis[k]));
+            }
+            out->target[i][k] = x[i];
+        }
+    }
+
+done:
+    free(x);
+    return st;
+}
+
+static status take_names(const table *t, reach_scene *out)
+{
+    const int column = table_find(t, "name|target|label");
+    for (int i = 0; i < t->nrow; i++) {
+        const double word = column < 0 ? NAN : t->a[i * t->ncolumn + column];
+        if (isnan(word)) {
+            (void)snprintf(out->name[i], sizeof out->name[i], "%d", i + 1);
+        } else {
+            (void)snprintf(out->name[i], sizeof out->name[i], "%s", t->word[(int)word]);
+        }
+        for (int k = 0; k < i && column >= 0; k++) {
+            if (strcmp(out->name[k], out->name[i]) == 0) {
+                return table_fail(t, i, "two targets are called '%s'", out->name[i]);
+            }
+        }
+    }
+    return OK;
+}
+
+// the tip may be off by the tolerance, and so may a target be of the wall
+static status check_inside(const case_data *c, const table *t, reach_scene *s)
+{
+    const reach_case *r = &c->file.reach;
+    int outside = 0, worst = -1;
+    for (int i = 0; i < s->ntarget; i++) {
+        const double *p = s->target[i];
+        s->depth[i] = distance_to(s->tree, (vec3){{p[0], p[1], p[2]}}).distance;
+        if (s->depth[i] < -r->tolerance) {
+            outside++;
+            worst = worst < 0 || s->depth[i] < s->depth[worst] ? i : worst;
+        }
+    }
+    if (outside == 0) {
+        return OK;
+    }
+    return config_fail(c->config, r->targets.at,
+                       "%s:%ld: target '%s' lies %.4g mm outside the tissue (%s)%s%.0d%s: has its "
+                       "file another unit or frame?",
+                       r->targets.text, t->line[worst], s->name[worst], -1e3 * s->depth[worst],
+                       s->path, outside > 1 ? ", the farthest of " : "",
+                       outside > 1 ? outside : 0, outside > 1 ? " that do" : "");
+}
+
+static status read_targets(const case_data *c, reach_scene *out)
+{
+    status st = OK;
+    const reach_case *r = &c->file.reach;
+    const table_limits limits = {
+        .rows = REACH_TARGETS, .words = REACH_TARGETS, .word_columns = "name|target|label"};
+    char folder[PATH_MAX];
+    table t = {0};
+    case_folder(c, folder, sizeof folder);
+    st = table_read(folder[0] ? folder : NULL, &r->targets, &limits, &t);
+    TRY(case_place(c, st, r->targets.at));
+    TRY(TAKE(out->target, (size_t)t.nrow));
+    TRY(TAKE(out->name, (size_t)t.nrow));
+    TRY(TAKE(out->depth, (size_t)t.nrow));
+    out->ntarget = t.nrow;
+    TRY(take_places(&t, out));
+    TRY(take_names(&t, out));
+    TRY(check_inside(c, &t, out));
+
+done:
+    table_free(&t);
+    return st;
+}
+
+// --- all of it
+
+status reach_scene_open(const case_data *c, reach_scene *out)
+{
+    status st = OK;
+    *out = (reach_scene){0};
+    TRY(read_tissue(c, out));
+    for (int i = 0; i < c->file.reach.scopes.count; i++) {
+        const scope_case *s = case_scope(c, i);
+        if (mark_given(s->constant_curvature.at)) {
+            st = surface_check_size(&out->tissue, out->path, s->constant_curvature.length);
+        } else if (case_scope_is_own(s)) {
+            st = surface_check_size(&out->tissue, out->path, c->file.rod.length);
+        }
+        TRY(case_place(c, st, c->file.reach.tissue.at));
+    }
+    TRY(lay_line(c, out));
+    TRY(c->file.reach.targets.text ? read_targets(c, out) : OK);
+    return OK;
+
+done:
+    reach_scene_free(out);
+    return st;
+}
+
+void reach_scene_free(reach_scene *s)
+{
+    distance_tree_free(s->tree);
+    surface_free(&s->tissue);
+    free(s->name);
+    free(s->target);
+    free(s->depth);
+    *s = (reach_scene){0};
+}

@@ -1,0 +1,163 @@
+// app/reach_tell.c
+#include "app/reach_tell.h"
+
+#include "app/reach_case.h"
+#include "base/memory.h"
+
+#include <math.h>
+#include <string.h>
+
+// --- strains
+
+static status find_strains(reach_scope *s, int n, const reach_scope_result *r, const int *which,
+                           section_strain_place *strain)
+{
+    status st = OK;
+    double(*q)[SCOPE_JOINTS] = NULL;
+    TRY(TAKE(q, (size_t)n));
+    for (int i = 0; i < n; i++) {
+        memcpy(q[i], r->answer[which[i]].q, sizeof q[i]);
+    }
+    TRY(reach_strains(s, n, (const double(*)[SCOPE_JOINTS])q, strain));
+
+done:
+    free(q);
+    return st;
+}
+
+static void keep_strain(const reach_scope *s, const section_strain_place *strain, reach_answer *a)
+{
+    const case_data *c = &s->rod.c;
+    double share = 0;
+    const int worst = reach_worst_strain(s, strain, &share);
+    a->strain = 0;
+    for (int m = 0; m < c->nmaterial; m++) {
+        a->strain = fmax(a->strain, fabs(strain[m].value));
+    }
+    // one tendon's tension is limited before
+    if (s->said->strain_limit && s->scope.njoint > SCOPE_BEND + 1 && share > 1 &&
+        a->verdict == REACH_REACHED) {
+        a->verdict = REACH_JOINT_LIMIT;
+        (void)snprintf(a->why, sizeof a->why, "'%.40s' is strained by %.3g %%, past its %.3g %%",
+                       c->materials[worst].name, 100 * fabs(strain[worst].value),
+                       100 * c->materials[worst].linear_strain);
+    }
+}
+
+status reach_tell_strains(const reach_study *how, reach_scope *s, reach_scope_result *r)
+{
+    status st = OK;
+    int *which = NULL, n = 0;
+    section_strain_place *strain = NULL;
+    const int ntarget = how->scene->ntarget, nmaterial = s->rod.c.nmaterial;
+    if (!s->v || (!how->bodies && !s->said->strain_limit)) {
+        return OK;
+    }
+    TRY(TAKE(which, (size_t)ntarget));
+    TRY(TAKE(strain, (size_t)ntarget * (size_t)nmaterial));
+    for (int i = 0; i < ntarget; i++) {
+        if (r->answer[i].verdict != REACH_FAILED) {
+            which[n++] = i;
+        }
+    }
+    TRY(n > 0 ? find_strains(s, n, r, which, strain) : OK);
+    for (int i = 0; i < n; i++) {
+        keep_strain(s, &strain[i * nmaterial], &r->answer[which[i]]);
+    }
+
+done:
+    free(strain);
+    free(which);
+    return st;
+}
+
+// --- the body
+
+// points of the straight shaft, and of the tip, whose last one is its end
+enum { SHAFT_POINTS = 12, TIP_POINTS = 49 };
+
+status reach_tell_body(const reach_study *how, scope_state *state, reach_answer *a)
+{
+    status st = OK;
+    const scope *s = scope_of(state);
+    if (a->verdict == REACH_FAILED) {
+        return OK;
+    }
+    TRY(scope_bend(state, a->q));
+    TRY(reach_answer_room(a, SHAFT_POINTS + TIP_POINTS, a->npath));
+    const double entry = fmin(-a->q[SCOPE_INSERTION], 0);
+    for (int i = 0; i < a->npoint; i++) {
+        const double t = i - SHAFT_POINTS;
+        a->along[i] = t < 0 ? -entry * t / SHAFT_POINTS : s->length * t / (TIP_POINTS - 1);
+        const vec3 p = scope_point(state, a->q, a->along[i]);
+        memcpy(a->point[i], p.a, sizeof a->point[i]);
+        a->room[i] = distance_to(how->scene->tree, p).distance - s->radius;
+    }
+
+done:
+    return st;
+}
+
+// --- words
+
+static void joint_words(const scope *s, int joint, double value, char words[REACH_NAME])
+{
+    char name[SCOPE_NAME];
+    const bool angle = joint == SCOPE_TURN || (joint >= SCOPE_BEND && !s->rod);
+    const double unit = joint == SCOPE_INSERTION ? 1e-3 : angle ? acos(-1.0) / 180 : 1;
+    const char *unit_name = joint == SCOPE_INSERTION ? "mm" : angle ? "deg" : "N";
+    (void)snprintf(words, REACH_NAME, "%.30s, %.4g %s", scope_joint_name(s, joint, name),
+                   value / unit, unit_name);
+}
+
+static void limit_reason(const scope *s, reach_answer *a)
+{
+    char words[REACH_NAME];
+    if (a->joint < 0) {
+        return; // a strain: told already
+    }
+    joint_words(s, a->joint, a->q[a->joint], words);
+    (void)snprintf(a->why, sizeof a->why, "the limit of %s, leaves the tip %.3g mm away", words,
+                   1e3 * a->miss);
+}
+
+static void collision_reason(double least, reach_answer *a)
+{
+    char where[REACH_NAME], sure[REACH_NAME];
+    if (a->s < 0) {
+        (void)snprintf(where, sizeof where, "on the shaft, %.3g mm before the tip", -1e3 * a->s);
+    } else {
+        (void)snprintf(where, sizeof where, "at s = %.3g mm of the tip", 1e3 * a->s);
+    }
+    if (a->bound < least) {
+        (void)snprintf(sure, sizeof sure, "proved");
+    } else if (isfinite(a->bound)) {
+        (void)snprintf(sure, sizeof sure, "no pose leaves more than %.3g mm", 1e3 * a->bound);
+    } else {
+        (void)snprintf(sure, sizeof sure, "the best of %d starts", a->starts);
+    }
+    const double depth = least - a->clearance;
+    (void)snprintf(a->why, sizeof a->why, "%.3g mm too near to the tissue %s; %s",
+                   1e3 * fmax(depth, 0), where, sure);
+}
+
+void reach_tell_reason(const reach_study *how, const reach_scope *s, reach_answer *a)
+{
+    const reach_case *r = &how->c->file.reach;
+    if (r->tip == REACH_TIP_SKIN) {
+        a->miss = fmax(a->miss - s->scope.radius, 0);
+    }
+    switch (a->verdict) {
+    case REACH_OUT_OF_REACH:
+        (void)snprintf(a->why, sizeof a->why, "the tip comes no nearer than %.3g mm", 1e3 * a->miss);
+        break;
+    case REACH_JOINT_LIMIT:
+        limit_reason(&s->scope, a);
+        break;
+    case REACH_COLLISION:
+        collision_reason(r->clearance, a);
+        break;
+    default:
+        break;
+    }
+}
