@@ -52,7 +52,8 @@ static status run_scope(const reach_study *how, variation *base, int i, reach_sc
     status st = OK;
     reach_scope s;
     TRY(reach_scope_make(how->c, base, i, NULL, &s));
-    st = reach_study_scope(how, &s, out);
+    st = reach_scene_fits(how->c, how->scene, s.scope.length);
+    st = st != OK ? st : reach_study_scope(how, &s, out);
     reach_scope_free(&s);
     TRY(case_place(how->c, st, case_scope(how->c, i)->at));
 

@@ -8,6 +8,7 @@
 #include "app/compare.h"
 #include "app/measured_case.h"
 #include "app/print.h"
+#include "app/reach_case.h"
 #include "app/save.h"
 #include "reports/figures.h"
 
@@ -131,6 +132,12 @@ static chain_parts parts_fit(const case_data *c)
     return (chain_parts){.rod = true, .fit = true};
 }
 
+static chain_parts parts_reach(const case_data *c)
+{
+    (void)c;
+    return (chain_parts){.reach = true};
+}
+
 status cmd_run(command *cmd)
 {
     return do_study(cmd, &(study){NULL, chain_all_parts, document_run, NULL});
@@ -166,4 +173,9 @@ status cmd_fit(command *cmd)
 status cmd_compare(command *cmd)
 {
     return do_study(cmd, &(study){case_need_section, parts_compare, result_json_compare, print_compare});
+}
+
+status cmd_reach(command *cmd)
+{
+    return do_study(cmd, &(study){case_need_reach, parts_reach, result_json_reach, print_reach});
 }

@@ -18,6 +18,9 @@ void print_measured(const run_result *r);
 // What was fitted to measured shapes, and what it rests on.
 void print_fit(const run_result *r);
 
+// Which targets the scopes reach, one table each, and how they compare.
+void print_reach(const run_result *r);
+
 // Of every material the largest strain among the rod's solutions, and where.
 void print_strains(const run_result *r);
 

@@ -61,6 +61,9 @@ static status measure_pose(const scope_work *w, reach_answer *a)
     scope_clearance(&fine, w->state, a->q, &c);
     a->clearance = c.least;
     a->s = c.s;
+    // nearer to the tissue than the search's margin tells, it may still be free
+    const double wanted = w->how->c->file.reach.clearance;
+    a->verdict = c.bound >= wanted ? REACH_REACHED : REACH_COLLISION;
 
 done:
     return st;
@@ -115,8 +118,8 @@ static status heard(void *context, int done, int count)
 {
     const scope_work *w = context;
     char words[120];
-    (void)snprintf(words, sizeof words, "scope %.60s: %d of %d targets", w->scope->scope.name,
-                   done, count);
+    (void)snprintf(words, sizeof words, "scope %.60s: %d of %d targets", w->scope->scope.name, done,
+                   count);
     if (w->how->cmd) {
         command_progress(w->how->cmd, words);
     }
@@ -161,6 +164,7 @@ static void tell_scope(const scope_work *w, reach_scope_result *out)
     (void)snprintf(out->name, sizeof out->name, "%s", s->name);
     (void)snprintf(out->kind, sizeof out->kind, "%s", w->scope->kind);
     (void)snprintf(out->limit_note, sizeof out->limit_note, "%s", w->scope->limit_note);
+    out->arc = !s->rod;
     out->length = s->length;
     out->radius = s->radius;
     out->njoint = s->njoint;

@@ -2,6 +2,7 @@
 #include "app/reach_scene.h"
 
 #include "app/reach_case.h"
+#include "app/reach_run.h"
 #include "base/memory.h"
 #include "io/disk.h"
 #include "measure/table.h"
@@ -36,14 +37,15 @@ done:
 
 // --- the line
 
-// of the widest scope, with what is to be left beside it
+// of the widest scope, with what is to be left beside it, and what a search may overlook
 static double widest_room(const case_data *c)
 {
+    const reach_case *r = &c->file.reach;
     double widest = 0;
-    for (int i = 0; i < c->file.reach.scopes.count; i++) {
+    for (int i = 0; i < r->scopes.count; i++) {
         widest = fmax(widest, case_scope(c, i)->radius);
     }
-    return widest + c->file.reach.clearance;
+    return widest + r->clearance + 2 * reach_resolution(r->tolerance);
 }
 
 // Steps along the line are as long as the wall is sure to be too near, but never shorter than this
@@ -80,8 +82,9 @@ static status find_free(const case_data *c, const surface_passage *passage, int 
     const double room = widest_room(c), last = n > 0 ? passage[n - 1].along : -1;
     double most = 0, at = 0;
     if (n == 0) {
-        return config_fail(c->config, e->at, "the entry line misses the tissue (%s): are point and "
-                                             "direction in its frame?",
+        return config_fail(c->config, e->at,
+                           "the entry line misses the tissue (%s): are point and "
+                           "direction in its frame?",
                            s->path);
     }
     if (last <= 0) {
@@ -195,8 +198,8 @@ static status check_inside(const case_data *c, const table *t, reach_scene *s)
                        "%s:%ld: target '%s' lies %.4g mm outside the tissue (%s)%s%.0d%s: has its "
                        "file another unit or frame?",
                        r->targets.text, t->line[worst], s->name[worst], -1e3 * s->depth[worst],
-                       s->path, outside > 1 ? ", the farthest of " : "",
-                       outside > 1 ? outside : 0, outside > 1 ? " that do" : "");
+                       s->path, outside > 1 ? ", the farthest of " : "", outside > 1 ? outside : 0,
+                       outside > 1 ? " that do" : "");
 }
 
 static status read_targets(const case_data *c, reach_scene *out)
@@ -225,20 +228,35 @@ done:
 
 // --- all of it
 
+status reach_scene_fits(const case_data *c, const reach_scene *s, double length)
+{
+    const status st = surface_check_size(&s->tissue, s->path, length);
+    return case_place(c, st, c->file.reach.tissue.at);
+}
+
+// the first thing that a wrong unit shows in; of rods of other cases it is seen later
+static status check_sizes(const case_data *c, const reach_scene *scene)
+{
+    status st = OK;
+    for (int i = 0; i < c->file.reach.scopes.count; i++) {
+        const scope_case *s = case_scope(c, i);
+        if (!case_scope_is_rod(s)) {
+            TRY(reach_scene_fits(c, scene, s->constant_curvature.length));
+        } else if (case_scope_is_own(s)) {
+            TRY(reach_scene_fits(c, scene, c->file.rod.length));
+        }
+    }
+
+done:
+    return st;
+}
+
 status reach_scene_open(const case_data *c, reach_scene *out)
 {
     status st = OK;
     *out = (reach_scene){0};
     TRY(read_tissue(c, out));
-    for (int i = 0; i < c->file.reach.scopes.count; i++) {
-        const scope_case *s = case_scope(c, i);
-        if (mark_given(s->constant_curvature.at)) {
-            st = surface_check_size(&out->tissue, out->path, s->constant_curvature.length);
-        } else if (case_scope_is_own(s)) {
-            st = surface_check_size(&out->tissue, out->path, c->file.rod.length);
-        }
-        TRY(case_place(c, st, c->file.reach.tissue.at));
-    }
+    TRY(check_sizes(c, out));
     TRY(lay_line(c, out));
     TRY(c->file.reach.targets.text ? read_targets(c, out) : OK);
     return OK;

@@ -11,16 +11,18 @@ typedef struct reach_scene {
     surface tissue;
     surface_report report;
     distance_tree *tree;
-    pose entry;                // z along the line
-    double free;               // of the line, from the entry on, where no shaft is looked at [m]
-    int ntarget;               // 0: none
-    char (*name)[REACH_NAME];  // [ntarget]
-    double (*target)[3];       // [ntarget] [m]
-    double *depth;             // [ntarget] from the wall, positive inside [m]
+    pose entry;               // z along the line
+    double free;              // of the line, from the entry on, where no shaft is looked at [m]
+    int ntarget;              // 0: none
+    char (*name)[REACH_NAME]; // [ntarget]
+    double (*target)[3];      // [ntarget] [m]
+    double *depth;            // [ntarget] from the wall, positive inside [m]
 } reach_scene;
 
 // Reads the files that the case names. ERR_FILE where one is damaged, ERR_INPUT with its place
 // where they do not go together: another unit, a line that misses or has no room, targets outside.
 // In place: *out must not move.
 status reach_scene_open(const case_data *c, reach_scene *out);
+// ERR_INPUT where a tip of this length [m] and the tissue differ as only units do.
+status reach_scene_fits(const case_data *c, const reach_scene *s, double length);
 void reach_scene_free(reach_scene *s);

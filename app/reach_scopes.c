@@ -52,15 +52,15 @@ static status collect_settings(const scope_case *said, const settings *more, set
     for (int i = 0; more && i < more->count; i++) {
         TRY(add_setting(out, more->text[i]));
     }
-    (void)snprintf(out->about, sizeof out->about, "scope '%s'%s%s", said->name,
+    (void)snprintf(out->about, sizeof out->about, "scope '%s'%s%.100s", said->name,
                    more && more->about[0] ? ", " : "", more ? more->about : "");
 
 done:
     return st;
 }
 
-static status open_other(const case_data *c, const scope_case *said, const settings *s,
-                         reach_scope *out)
+static status read_other(const case_data *c, const scope_case *said, const settings *s,
+                         case_data *out)
 {
     status st = OK;
     const char *file = said->rod.file.text;
@@ -71,8 +71,18 @@ static status open_other(const case_data *c, const scope_case *said, const setti
                                   .noverride = s->count,
                                   .overrides = (const char *const *)s->text,
                                   .allow_scripts = c->allow_scripts},
-                  &out->other));
-    TRY(case_need_rod(&out->other));
+                  out));
+    TRY(case_need_rod(out));
+
+done:
+    return st;
+}
+
+static status open_other(const case_data *c, const scope_case *said, const settings *s,
+                         reach_scope *out)
+{
+    status st = OK;
+    TRY(read_other(c, said, s, &out->other));
     TRY(variation_open(&out->other, NULL, &out->own));
     out->v = &out->own;
     TRY(varied_make(out->v, NULL, out->other.file.at, &out->rod));
@@ -107,6 +117,26 @@ static status check_tendons(const case_data *c, const scope_case *said, int nten
     return OK;
 }
 
+status reach_scope_check(const case_data *c, int i)
+{
+    status st = OK;
+    settings s = {0};
+    case_data other = {0};
+    const scope_case *said = case_scope(c, i);
+    if (!case_scope_is_rod(said)) {
+        return OK;
+    }
+    TRY(collect_settings(said, NULL, &s));
+    TRY(said->rod.file.text ? tell_scope(c, said, read_other(c, said, &s, &other))
+                            : variation_read(c, &s, said->rod.at, &other));
+    TRY(check_tendons(c, said, other.file.rod.tendons.count));
+
+done:
+    case_free(&other);
+    settings_free(&s);
+    return st;
+}
+
 static status make_rod_scope(const case_data *c, variation *base, const settings *more,
                              reach_scope *out)
 {
@@ -130,8 +160,8 @@ static status make_rod_scope(const case_data *c, variation *base, const settings
         out->scope.high[SCOPE_BEND + i] = said->tensions.a[2 * i + 1];
     }
     (void)snprintf(out->kind, sizeof out->kind, "rod, %s K, %d tendon%s",
-                   f->section.model == MODEL_CLASSICAL ? "classical" : "full",
-                   f->rod.tendons.count, f->rod.tendons.count == 1 ? "" : "s");
+                   f->section.model == MODEL_CLASSICAL ? "classical" : "full", f->rod.tendons.count,
+                   f->rod.tendons.count == 1 ? "" : "s");
 
 done:
     settings_free(&s);

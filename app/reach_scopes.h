@@ -27,6 +27,9 @@ status reach_scope_make(const case_data *c, variation *base, int i, const settin
                         reach_scope *out);
 void reach_scope_free(reach_scope *s);
 
+// Whether scope i could be made: its case is read, nothing is solved.
+status reach_scope_check(const case_data *c, int i);
+
 // Whether any scope is the case's own rod; then its laws. section: as variation_open has it.
 bool reach_base_needed(const case_data *c);
 status reach_base_open(const case_data *c, const section_result *section, variation *out);

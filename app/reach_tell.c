@@ -123,22 +123,15 @@ static void limit_reason(const scope *s, reach_answer *a)
 
 static void collision_reason(double least, reach_answer *a)
 {
-    char where[REACH_NAME], sure[REACH_NAME];
+    char where[REACH_NAME];
     if (a->s < 0) {
         (void)snprintf(where, sizeof where, "on the shaft, %.3g mm before the tip", -1e3 * a->s);
     } else {
         (void)snprintf(where, sizeof where, "at s = %.3g mm of the tip", 1e3 * a->s);
     }
-    if (a->bound < least) {
-        (void)snprintf(sure, sizeof sure, "proved");
-    } else if (isfinite(a->bound)) {
-        (void)snprintf(sure, sizeof sure, "no pose leaves more than %.3g mm", 1e3 * a->bound);
-    } else {
-        (void)snprintf(sure, sizeof sure, "the best of %d starts", a->starts);
-    }
     const double depth = least - a->clearance;
-    (void)snprintf(a->why, sizeof a->why, "%.3g mm too near to the tissue %s; %s",
-                   1e3 * fmax(depth, 0), where, sure);
+    (void)snprintf(a->why, sizeof a->why, "%.3g mm too near to the tissue %s", 1e3 * fmax(depth, 0),
+                   where);
 }
 
 void reach_tell_reason(const reach_study *how, const reach_scope *s, reach_answer *a)
@@ -149,7 +142,8 @@ void reach_tell_reason(const reach_study *how, const reach_scope *s, reach_answe
     }
     switch (a->verdict) {
     case REACH_OUT_OF_REACH:
-        (void)snprintf(a->why, sizeof a->why, "the tip comes no nearer than %.3g mm", 1e3 * a->miss);
+        (void)snprintf(a->why, sizeof a->why, "the tip comes no nearer than %.3g mm",
+                       1e3 * a->miss);
         break;
     case REACH_JOINT_LIMIT:
         limit_reason(&s->scope, a);

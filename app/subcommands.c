@@ -41,6 +41,14 @@ static const subcommand list[] = {
      "with its standard error and interval, how they go together, errors before and after. --out\n"
      "DIR writes fitted.yaml too, the case with the fitted values.\n",
      "stiffaxis fit bench.yaml --out results/bench"},
+    {"reach", "CASE", cmd_reach, "which targets in a body scopes reach, and why not the others",
+     "The case's `reach`: a tissue surface (STL, OBJ, PLY), targets (CSV), an entry line, and "
+     "scopes\n"
+     "that are rods or arcs of constant curvature. Each target is reached or not, with the "
+     "reason,\n"
+     "the pose, the body's clearance, and how thorough the search was; `map` tells which share of\n"
+     "the surface is reached. Lengths in the surface's file are in `tissue_unit`.\n",
+     "stiffaxis reach endoscope.yaml --out results/endoscope"},
     {"report", "RESULT", cmd_report, "figures and the page from a stored result",
      "RESULT is a result.hdf or the directory that holds it. Nothing is recomputed. Without --out\n"
      "the directory stands beside RESULT: results/fig4 and results/fig4/result.hdf give\n"

@@ -168,10 +168,15 @@ static status explain(const case_data *base, status st, const settings *s, mark 
     return status_fail(st, "%serror: %s: %s", place, s->about, words);
 }
 
+status variation_read(const case_data *base, const settings *s, mark at, case_data *out)
+{
+    return explain(base, reopen(base, s, keeps_section(base, s), out), s, at);
+}
+
 status variation_check(const case_data *base, const settings *s, mark at)
 {
     case_data c = {0};
-    const status st = explain(base, reopen(base, s, keeps_section(base, s), &c), s, at);
+    const status st = variation_read(base, s, at, &c);
     case_free(&c);
     return st;
 }

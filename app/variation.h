@@ -26,6 +26,8 @@ void variation_free(variation *v);
 
 // Whether the case can be read with these settings: ERR_INPUT as varied_make, nothing is solved.
 status variation_check(const case_data *base, const settings *s, mark at);
+// ... and the case with them.
+status variation_read(const case_data *base, const settings *s, mark at, case_data *out);
 
 // The case with other values. In place: *out must not move, and v outlives it.
 typedef struct varied {

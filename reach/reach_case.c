@@ -12,14 +12,15 @@ static const scope_case *scope_of_case(const reach_case *c, int i)
     return (const scope_case *)c->scopes.items + i;
 }
 
-static status check_range(const scope_case *s, const char *what, const double limit[2],
-                          double unit, const char *unit_name)
+static status check_range(const scope_case *s, const char *what, const double limit[2], double unit,
+                          const char *unit_name)
 {
     return limit[0] <= limit[1]
                ? OK
-               : status_fail(ERR_INPUT,
-                             "scope '%.60s': %s from %g to %g %s is no range: the least comes first",
-                             s->name, what, limit[0] / unit, limit[1] / unit, unit_name);
+               : status_fail(
+                     ERR_INPUT,
+                     "scope '%.60s': %s from %g to %g %s is no range: the least comes first",
+                     s->name, what, limit[0] / unit, limit[1] / unit, unit_name);
 }
 
 static status check_rod(const scope_case *s, mark *where)
@@ -112,8 +113,7 @@ static status check_entry(const entry_case *e, mark *where)
     if (towards_given(e) && length < SAME_PLACE) {
         return status_fail(ERR_INPUT, "the entry line goes nowhere: point and towards are one");
     }
-    return length > 0 ? OK
-                      : status_fail(ERR_INPUT, "the entry line's direction has no length");
+    return length > 0 ? OK : status_fail(ERR_INPUT, "the entry line's direction has no length");
 }
 
 status reach_case_check(const reach_case *c, mark *where)
