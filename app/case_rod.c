@@ -22,6 +22,7 @@ status case_rod_bind(case_data *c, const char *directory)
     status st = OK;
     rod_case *rod = &c->file.rod;
     mark where = rod->at;
+    rod->unpulled = mark_given(c->file.reach.at); // its scopes' joints are the tensions
     TRY(case_place(c, read_paths(rod, directory), where));
     st = rod_case_bind(rod, &where);
     TRY(case_place(c, st, where));

@@ -67,6 +67,9 @@ status chain_reach(const command *cmd, const case_data *c, run_result *out)
     reach_scene scene = {0};
     variation base = {0};
     const reach_study how = {.c = c, .scene = &scene, .cmd = cmd, .bodies = true};
+    if (c->file.reach.path == REACH_INSERTION || mark_given(c->file.reach.map.at)) {
+        return config_fail(c->config, c->file.reach.at, "neither map nor way in is known here");
+    }
     command_progress(cmd, "tissue and targets");
     TRY(reach_scene_open(c, &scene));
     TRY(tell_scene(c, &scene, &out->reach));

@@ -145,7 +145,8 @@ status cmd_run(command *cmd)
 
 status cmd_section(command *cmd)
 {
-    return do_study(cmd, &(study){case_need_section, parts_section, result_json_section, print_section});
+    return do_study(cmd,
+                    &(study){case_need_section, parts_section, result_json_section, print_section});
 }
 
 status cmd_rod(command *cmd)
@@ -172,7 +173,8 @@ status cmd_fit(command *cmd)
 
 status cmd_compare(command *cmd)
 {
-    return do_study(cmd, &(study){case_need_section, parts_compare, result_json_compare, print_compare});
+    return do_study(cmd,
+                    &(study){case_need_section, parts_compare, result_json_compare, print_compare});
 }
 
 status cmd_reach(command *cmd)

@@ -114,7 +114,8 @@ done:
 
 section_case varied_section(const variation *v, const varied *w)
 {
-    section_case sc = w->c.file.section;
+    // where the rod alone was read again, its section is the base's
+    section_case sc = w->law == &v->section.along ? v->base->file.section : w->c.file.section;
     sc.mesh.order = v->mesh.order;
     sc.mesh.order_chosen = v->mesh.order_chosen;
     sc.mesh.layers = v->mesh.layers;
@@ -126,6 +127,7 @@ section_case varied_section(const variation *v, const varied *w)
 static status solve_section(variation *v, varied *w)
 {
     status st = OK;
+    w->law = &w->section.along;
     section_case sc = varied_section(v, w);
     sc.tolerance = 0;
     sc.stations = (key_rows){0};
@@ -133,7 +135,6 @@ static status solve_section(variation *v, varied *w)
     TRY(case_place(&w->c, section_along(&sc, w->c.materials, w->c.length, &w->section), sc.at));
     TRY(remember(v, &w->section.solved));
     v->nsection++;
-    w->law = &w->section.along;
 
 done:
     return st;

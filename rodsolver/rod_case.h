@@ -56,8 +56,9 @@ typedef struct rod_case {
     key_list sweep;      // of sweep_case
     int start;           // rod_start
     bool past, derivatives;
-    int frame; // rod_frame in which the rod is solved; the shape is the geometric centreline in
-               // both
+    bool unpulled; // tendons may be without tensions, for somebody else pulls them; no key
+    int frame;     // rod_frame in which the rod is solved; the shape is the geometric centreline in
+                   // both
     double tolerance;  // |p - p_exact| / L wanted at the tip
     int points;        // of the shape that is written
     tendon_spec *spec; // [tendons.count], filled by rod_case_bind

@@ -303,7 +303,7 @@ static status check_rows(const rod_case *c, mark *where)
     TRY(check_push(c, where));
     TRY(check_either(c, where));
     for (int j = 0; j < c->tendons.count && c->tensions.nrow + c->pulls.nrow == 0; j++) {
-        if (!is_swept(c, j)) {
+        if (!is_swept(c, j) && !(c->unpulled && c->sweep.count == 0)) {
             *where = c->tendons.at;
             return status_fail(ERR_INPUT,
                                "tendons without tensions: add `tensions_N: [[...], ...]`, or "
