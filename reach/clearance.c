@@ -1,7 +1,7 @@
 // reach/clearance.c
-// The signed distance changes no faster than the point moves. So between s = a and b, where it is
-// d_a and d_b, it is nowhere less than (d_a + d_b - stretch (b - a)) / 2: pieces that this bound
-// does not settle are halved.
+// The room changes no faster than the point moves. So between s = a and b, where it is at least r_a
+// and r_b, it is nowhere less than (r_a + r_b - stretch (b - a)) / 2: pieces that this bound does
+// not settle are halved.                                                docs/theory.md (10.22)
 #include "reach/clearance.h"
 
 #include <math.h>
@@ -9,74 +9,104 @@
 // a piece and one of its halves at each of the levels: 2^-64 of the curve is below rounding
 enum { LEVELS = 64 };
 
+// a place of the curve
+typedef struct place {
+    double s;
+    double room;  // at least
+    double reach; // the wall is within this
+} place;
+
 typedef struct piece {
-    double a, b;   // s
-    double da, db; // distances of the wall there, less the radius
+    place a, b;
 } piece;
 
 typedef struct walk {
     const distance_tree *t;
     const body_curve *body;
-    double radius;
+    double radius, below;
     clearance *out;
 } walk;
 
-// the clearance at s, where |distance| is known to be at most `within`
-static double clearance_at(walk *w, double s, double within)
+static void keep_least(walk *w, double room, double s, vec3 p, const nearest_point *wall)
 {
-    const vec3 p = w->body->at(w->body->context, s);
-    const nearest_point wall = distance_within(w->t, p, within);
-    const double c = wall.distance - w->radius;
-    w->out->queries++;
     // a NaN is no room
-    if (!(c >= w->out->least)) {
-        w->out->least = c;
+    if (!(room >= w->out->least)) {
+        w->out->least = room;
         w->out->s = s;
         w->out->point = p;
-        w->out->wall = wall;
+        w->out->wall = *wall;
     }
-    return c;
+}
+
+// The room at s, where the wall is known to be within `reach`. Where what is known without a search
+// is enough, there is none: it is not the least, and either settles pieces that reach as far as
+// `settles` from it or does not even if the wall is as far away as it may be.
+static place look(walk *w, double s, double reach, double settles)
+{
+    const vec3 p = w->body->at(w->body->context, s);
+    const double anyway = w->body->anyway ? w->body->anyway(w->body->context, p) : -INFINITY;
+    const distance_range known = distance_between(w->t, p);
+    const double low = fmax(known.low - w->radius, anyway);
+    const double high = fmax(known.high - w->radius, anyway), least = w->out->least;
+    place out = {s, low, fmin(reach, known.reach)};
+    if (high < w->below) {
+        keep_least(w, high, s, p, &(nearest_point){known.high, p, -1});
+    } else if (!(low >= least && (low >= least + settles || high < least + settles))) {
+        const nearest_point wall = distance_within(w->t, p, out.reach);
+        out.room = fmax(wall.distance - w->radius, anyway);
+        out.room = isnan(wall.distance) ? NAN : out.room;
+        out.reach = fabs(wall.distance);
+        w->out->queries++;
+        keep_least(w, out.room, s, p, &wall);
+    }
+    return out;
 }
 
 static double piece_half(const walk *w, const piece *c)
 {
-    return 0.5 * w->body->stretch * (c->b - c->a);
+    return 0.5 * w->body->stretch * (c->b.s - c->a.s);
 }
 
 static double piece_bound(const walk *w, const piece *c)
 {
-    return 0.5 * (c->da + c->db) - piece_half(w, c);
+    return 0.5 * (c->a.room + c->b.room) - piece_half(w, c);
 }
 
 static void split(walk *w, const piece *c, piece half[2])
 {
-    const double middle = 0.5 * (c->a + c->b);
-    const double nearer = fmin(fabs(c->da + w->radius), fabs(c->db + w->radius));
+    const double middle = 0.5 * (c->a.s + c->b.s), way = piece_half(w, c);
     // wider by what rounding may add
-    const double within = (nearer + piece_half(w, c)) * (1 + 1e-9) + 1e-12;
-    const double d = clearance_at(w, middle, within);
-    half[0] = (piece){c->a, middle, c->da, d};
-    half[1] = (piece){middle, c->b, d, c->db};
+    const double reach = (fmin(c->a.reach, c->b.reach) + way) * (1 + 1e-9) + 1e-12;
+    const place m = look(w, middle, reach, way);
+    half[0] = (piece){c->a, m};
+    half[1] = (piece){m, c->b};
 }
 
-static piece whole_body(walk *w)
+// two pieces about the place that is looked at first
+static int whole_body(walk *w, double first, piece out[2])
 {
+    const double begin = w->body->begin, end = w->body->end;
     *w->out = (clearance){.least = INFINITY, .bound = INFINITY};
-    piece c = {.a = w->body->begin, .b = w->body->end};
-    c.da = clearance_at(w, c.a, INFINITY);
-    c.db = clearance_at(w, c.b, INFINITY);
-    return c;
+    first = first > begin && first < end ? first : begin;
+    const place middle = look(w, first, INFINITY, 0), last = look(w, end, INFINITY, 0);
+    out[0] = (piece){middle, last};
+    if (first > begin) {
+        out[1] = (piece){look(w, begin, INFINITY, 0), middle};
+    }
+    return first > begin ? 2 : 1;
 }
 
-void clearance_along(const distance_tree *t, const body_curve *body, double radius,
-                     double tolerance, clearance *out)
+void clearance_until(const distance_tree *t, const body_curve *body, double radius,
+                     const clearance_wish *wish, clearance *out)
 {
-    walk w = {.t = t, .body = body, .radius = radius, .out = out};
-    piece todo[LEVELS + 1] = {whole_body(&w)};
-    for (int n = 1; n > 0;) {
+    walk w = {.t = t, .body = body, .radius = radius, .below = wish->below, .out = out};
+    piece todo[LEVELS + 2];
+    int n = whole_body(&w, wish->first, todo);
+    while (n > 0 && out->least >= wish->below) {
         const piece c = todo[--n];
         const double bound = piece_bound(&w, &c);
-        if (bound >= out->least - tolerance || piece_half(&w, &c) <= tolerance || n + 2 > LEVELS) {
+        if (bound >= out->least - wish->tolerance || piece_half(&w, &c) <= wish->tolerance ||
+            n + 2 > LEVELS) {
             out->bound = fmin(out->bound, bound);
             continue;
         }
@@ -87,15 +117,23 @@ void clearance_along(const distance_tree *t, const body_curve *body, double radi
         todo[n++] = half[1 - first];
         todo[n++] = half[first];
     }
-    out->bound = fmin(out->bound, out->least);
+    out->bound = n > 0 ? -INFINITY : fmin(out->bound, out->least);
+}
+
+void clearance_along(const distance_tree *t, const body_curve *body, double radius,
+                     double tolerance, clearance *out)
+{
+    const clearance_wish all = {.tolerance = tolerance, .below = -INFINITY, .first = body->begin};
+    clearance_until(t, body, radius, &all, out);
 }
 
 bool clearance_is_free(const distance_tree *t, const body_curve *body, double radius, double least,
                        double tolerance, clearance *at)
 {
     clearance own;
-    walk w = {.t = t, .body = body, .radius = radius, .out = at ? at : &own};
-    piece todo[LEVELS + 1] = {whole_body(&w)};
+    walk w = {.t = t, .body = body, .radius = radius, .below = -INFINITY, .out = at ? at : &own};
+    piece todo[LEVELS + 1];
+    (void)whole_body(&w, body->begin, todo);
     for (int n = 1; n > 0 && w.out->least >= least;) {
         const piece c = todo[--n];
         const double bound = piece_bound(&w, &c);

@@ -11,10 +11,13 @@ typedef struct body_curve {
     const void *context;
     double begin, end; // s [m]
     double stretch;
+    // room that a point has whatever the wall, as in a channel; it changes no faster than the point
+    // moves. NULL: none
+    double (*anyway)(const void *context, vec3 p);
 } body_curve;
 
 typedef struct clearance {
-    double least;       // at s; negative: the skin is within the tissue by so much [m]
+    double least;       // at s, anyway's room included; negative: the skin is within the tissue by so much [m]
     double bound;       // it is nowhere less: least - tolerance <= bound <= least [m]
     double s;           // where
     vec3 point;         // on the curve
@@ -27,6 +30,15 @@ typedef struct clearance {
 // most, tolerance > 0 [m]. A curve's point that is not finite is no room: least is NAN.
 void clearance_along(const distance_tree *t, const body_curve *body, double radius,
                      double tolerance, clearance *out);
+
+// The same as far as it decides: where the clearance is below `below`, `least` is only some number
+// under it that the clearance does not exceed, as soon as there is one. Quicker where the place s =
+// `first` is near the one where it is least.
+typedef struct clearance_wish {
+    double tolerance, below, first;
+} clearance_wish;
+void clearance_until(const distance_tree *t, const body_curve *body, double radius,
+                     const clearance_wish *wish, clearance *out);
 
 // Whether the clearance is nowhere below `least`, as soon as that is known: true only where the
 // bound says so, so that a body within `tolerance` of it counts as not free. *at (may be NULL)

@@ -2,6 +2,7 @@
 #include "reach/distance.h"
 
 #include "base/memory.h"
+#include "reach/distance_grid.h"
 #include "reach/embree_door.h"
 #include "reach/triangle.h"
 
@@ -11,6 +12,7 @@ struct distance_tree {
     const surface *s;
     const embree_door *door;
     box_tree *boxes;
+    distance_grid *grid;
     vec3 *face;   // [ntriangle] unit normals, outward; zero without area
     vec3 *vertex; // [nvertex] angle-weighted
 };
@@ -46,6 +48,13 @@ static void fill_normals(distance_tree *t)
     }
 }
 
+static nearest_point search_tree(const distance_tree *t, vec3 p, double radius);
+
+static nearest_point node_distance(const void *context, vec3 p)
+{
+    return search_tree(context, p, INFINITY);
+}
+
 status distance_tree_make(const surface *s, distance_tree **out)
 {
     status st = OK;
@@ -57,6 +66,7 @@ status distance_tree_make(const surface *s, distance_tree **out)
     TRY(TAKE(t->vertex, (size_t)s->nvertex));
     fill_normals(t);
     TRY(t->door->make(s->ntriangle, triangle_box, s, &t->boxes));
+    TRY(distance_grid_make(s, node_distance, t, &t->grid));
     *out = t;
     t = NULL;
 
@@ -71,6 +81,7 @@ void distance_tree_free(distance_tree *t)
         if (t->door) {
             t->door->free(t->boxes);
         }
+        distance_grid_free(t->grid);
         free(t->face);
         free(t->vertex);
         free(t);
@@ -127,11 +138,24 @@ static nearest_point answer(const search *s)
     return out;
 }
 
-nearest_point distance_within(const distance_tree *t, vec3 p, double radius)
+static nearest_point search_tree(const distance_tree *t, vec3 p, double radius)
 {
     search s = {.t = t, .p = p, .radius = radius, .enough = -1, .triangle = -1};
     t->door->near(t->boxes, p.a, radius, look, &s);
     return answer(&s);
+}
+
+distance_range distance_between(const distance_tree *t, vec3 p)
+{
+    return distance_grid_at(t->grid, p);
+}
+
+nearest_point distance_within(const distance_tree *t, vec3 p, double radius)
+{
+    const double reach = distance_between(t, p).reach;
+    const nearest_point out = search_tree(t, p, fmin(radius, reach));
+    // rounding may have put it just beyond
+    return out.triangle < 0 && reach < radius ? search_tree(t, p, radius) : out;
 }
 
 nearest_point distance_to(const distance_tree *t, vec3 p)
@@ -141,6 +165,10 @@ nearest_point distance_to(const distance_tree *t, vec3 p)
 
 bool distance_is_free(const distance_tree *t, vec3 p, double least)
 {
+    const distance_range known = distance_between(t, p);
+    if (known.low >= least || known.high < least) {
+        return known.low >= least;
+    }
     search s = {.t = t, .p = p, .radius = INFINITY, .enough = least, .triangle = -1};
     t->door->near(t->boxes, p.a, INFINITY, look, &s);
     return answer(&s).distance >= least;

@@ -25,6 +25,13 @@ nearest_point distance_to(const distance_tree *t, vec3 p);
 // -1 and distance NAN.
 nearest_point distance_within(const distance_tree *t, vec3 p, double radius);
 
+// What is known of the distance without a search: quick.            docs/theory.md (10.23)
+typedef struct distance_range {
+    double low, high; // it lies between; -INFINITY and INFINITY far outside
+    double reach;     // the surface is within this, whatever the side [m]
+} distance_range;
+distance_range distance_between(const distance_tree *t, vec3 p);
+
 // Whether p is inside and the surface at least `least` away: quicker where it is not.
 bool distance_is_free(const distance_tree *t, vec3 p, double least);
 
