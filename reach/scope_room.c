@@ -2,26 +2,37 @@
 #include "reach/scope_room.h"
 
 typedef struct scope_body {
-    const scope_state *state;
-    const double *q;
+    scope_state *state;
+    pose base;
 } scope_body;
 
 static vec3 body_point(const void *context, double s)
 {
     const scope_body *b = context;
-    return scope_point(b->state, b->q, s);
+    vec3 h = {{0, 0, s}};
+    if (s > 0 && scope_bent_point(b->state, s, &h, NULL) != OK) {
+        h.a[0] = NAN; // a point that is none has no room
+    }
+    return vec3_add(b->base.p, mat3_mul_vec(b->base.R, h));
 }
 
-void scope_clearance(const scope_room *room, scope_state *state, const double *q, clearance *out)
+static void roughly(const scope_room *room, scope_state *state, const double *q,
+                    const clearance_wish *wish, clearance *out)
 {
-    const scope_body body = {state, q};
+    const scope_body body = {state, scope_base(state, q)};
     const double length = scope_of(state)->length;
     const body_curve curve = {.at = body_point,
                               .context = &body,
                               .begin = fmin(room->free_entry - q[SCOPE_INSERTION], length),
                               .end = length,
                               .stretch = scope_stretch(state)};
-    clearance_along(room->tree, &curve, scope_of(state)->radius, room->tolerance, out);
+    clearance_until(room->tree, &curve, scope_of(state)->radius, wish, out);
+}
+
+void scope_clearance(const scope_room *room, scope_state *state, const double *q, clearance *out)
+{
+    const clearance_wish all = {room->tolerance, -INFINITY, -INFINITY};
+    roughly(room, state, q, &all, out);
 }
 
 static double room_at(void *context, scope_state *state, const double *q, double *s)
@@ -32,7 +43,19 @@ static double room_at(void *context, scope_state *state, const double *q, double
     return c.least;
 }
 
+static double rough_room(void *context, scope_state *state, const double *q,
+                         const clearance_wish *wish, double *s)
+{
+    const scope_room *room = context;
+    clearance_wish w = *wish;
+    clearance c = {0};
+    w.tolerance = fmax(w.tolerance, room->tolerance);
+    roughly(room, state, q, &w, &c);
+    *s = c.s;
+    return c.least;
+}
+
 room_probe scope_room_probe(scope_room *room)
 {
-    return (room_probe){.at = room_at, .context = room};
+    return (room_probe){.at = room_at, .context = room, .roughly = rough_room};
 }

@@ -10,17 +10,30 @@ search_options search_options_default(void)
     };
 }
 
-status search_look(search *s, const inverse_pose *pose, double *room)
+double room_roughly(const room_probe *room, scope_state *state, const double *q,
+                    const clearance_wish *wish, double *s)
+{
+    return room->roughly ? room->roughly(room->context, state, q, wish, s)
+                         : room->at(room->context, state, q, s);
+}
+
+status search_look(search *s, const inverse_pose *pose, clearance_wish *wish, double *room)
 {
     status st = OK;
-    double at = NAN;
+    const bool near = pose->miss <= s->options->tolerance;
+    clearance_wish w = *wish;
+    w.below = near ? fmin(w.below, s->out->room) : w.below;
     TRY(scope_bend(s->state, pose->q));
-    *room = s->room->at(s->room->context, s->state, pose->q, &at);
+    *room = room_roughly(s->room, s->state, pose->q, &w, &wish->first);
     s->out->looks++;
-    if (*room > s->out->room && pose->miss <= s->options->tolerance) {
-        s->out->pose = *pose;
-        s->out->room = *room;
-        s->out->s = at;
+    if (near && *room > s->out->room) {
+        double at = NAN;
+        *room = s->room->at(s->room->context, s->state, pose->q, &at);
+        if (*room > s->out->room) {
+            s->out->pose = *pose;
+            s->out->room = *room;
+            s->out->s = at;
+        }
     }
 
 done:
@@ -58,7 +71,8 @@ status search_solve(const inverse *inv, scope_state *state, vec3 target, const r
     }
     for (int i = 0; i < poses.npose; i++) {
         double here;
-        TRY(search_look(&s, &poses.pose[i], &here));
+        clearance_wish any = {.below = -INFINITY, .tolerance = options->resolution};
+        TRY(search_look(&s, &poses.pose[i], &any, &here));
     }
     TRY(inv->scope->njoint == SCOPE_BEND + 1 ? search_boxes(&s) : search_starts(&s));
     out->verdict = out->room >= 0 ? SEARCH_REACHED : SEARCH_COLLISION;

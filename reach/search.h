@@ -9,6 +9,7 @@
 // the family of poses at the target from starts all over the grid, each led to more room.
 #pragma once
 
+#include "reach/clearance.h"
 #include "reach/inverse.h"
 
 // How much room the body has at q; scope_bend(state, q) has been called. Negative: within the
@@ -17,7 +18,14 @@
 typedef struct room_probe {
     double (*at)(void *context, scope_state *state, const double *q, double *s);
     void *context;
+    // the same only as far as it is wished for, which is quicker: to its tolerance from above, and
+    // any number under `below` that the room does not exceed. NULL: `at` does
+    double (*roughly)(void *context, scope_state *state, const double *q,
+                      const clearance_wish *wish, double *s);
 } room_probe;
+
+double room_roughly(const room_probe *room, scope_state *state, const double *q,
+                    const clearance_wish *wish, double *s);
 
 typedef struct search_options {
     double tolerance;  // of the tip [m]

@@ -15,6 +15,7 @@ typedef struct box {
     double low[JOINTS], high[JOINTS];
     double bound;  // no pose in it has more room
     double motion; // no point of the body moves farther between its middle and another pose of it
+    double s;      // where the room was least
 } box;
 
 typedef struct heap {
@@ -59,7 +60,8 @@ static void motions(const bend_sweep *w, const box *b, double part[JOINTS], doub
     part[SCOPE_INSERTION] = (b->high[SCOPE_INSERTION] - b->low[SCOPE_INSERTION]) / 2;
     part[SCOPE_TURN] = turn * (m.farthest + bent);
     part[SCOPE_BEND] = bent;
-    *tip = part[SCOPE_INSERTION] + turn * (hypot(m.tip.a[0], m.tip.a[1]) + tip_bent) + tip_bent;
+    // along the line and about it are at right angles
+    *tip = hypot(part[SCOPE_INSERTION], turn * (hypot(m.tip.a[0], m.tip.a[1]) + tip_bent)) + tip_bent;
 }
 
 // how far the tip is from the target, without a solve
@@ -116,20 +118,25 @@ static status consider(search *s, cylinder_point c, heap *h, box *b)
     }
     const double middle[2] = {pose.q[0], pose.q[1]};
     towards(s, c, m.tip, pose.q);
-    b->motion = part[0] + part[1] + part[2];
-    const double shift = fabs(pose.q[SCOPE_INSERTION] - middle[0]) +
-                         fabs(pose.q[SCOPE_TURN] - middle[1]) * m.farthest;
+    b->motion = hypot(part[SCOPE_INSERTION], part[SCOPE_TURN]) + part[SCOPE_BEND];
+    const double shift = hypot(pose.q[SCOPE_INSERTION] - middle[0],
+                               (pose.q[SCOPE_TURN] - middle[1]) * m.farthest);
+    // less than this is as good as none
+    const double useful = s->out->room >= 0 ? s->out->room : 0;
+    clearance_wish wish = {s->options->resolution, useful - b->motion - shift, b->s};
     TRY(inverse_miss(s->state, s->target, &pose));
-    TRY(search_look(s, &pose, &room));
+    TRY(search_look(s, &pose, &wish, &room));
     b->bound = fmin(b->bound, room + b->motion + shift);
     if (shift > b->motion) {
         // far from the box: its middle says more
         pose.q[SCOPE_INSERTION] = middle[0];
         pose.q[SCOPE_TURN] = middle[1];
         TRY(inverse_miss(s->state, s->target, &pose));
-        TRY(search_look(s, &pose, &room));
+        wish.below = useful - b->motion;
+        TRY(search_look(s, &pose, &wish, &room));
         b->bound = fmin(b->bound, room + b->motion);
     }
+    b->s = wish.first;
     push(h, b);
 
 done:

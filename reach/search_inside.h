@@ -14,8 +14,9 @@ typedef struct search {
     search_answer *out;
 } search;
 
-// The room at a pose whose tip is near enough; keeps the best.
-status search_look(search *s, const inverse_pose *pose, double *room);
+// The room at a pose, as far as wished for; keeps the best of those whose tip is near enough, whose
+// room is that of room->at. wish->first becomes the place where it was least.
+status search_look(search *s, const inverse_pose *pose, clearance_wish *wish, double *room);
 
 // search_boxes.c, search_starts.c
 status search_boxes(search *s);

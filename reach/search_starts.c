@@ -30,7 +30,8 @@ static status try_step(search *s, inverse_pose *pose, double *room, const double
     if (next.miss > s->options->tolerance) {
         return OK;
     }
-    TRY(search_look(s, &next, &there));
+    clearance_wish more = {.below = *room, .tolerance = s->options->resolution};
+    TRY(search_look(s, &next, &more, &there));
     if (there > *room) {
         *better = true;
         *room = there;
@@ -66,7 +67,8 @@ static status lead(search *s, inverse_pose pose)
 {
     status st = OK;
     double direction[2 * SCOPE_JOINTS][SCOPE_JOINTS], room, step = first_step;
-    TRY(search_look(s, &pose, &room));
+    clearance_wish any = {.below = -INFINITY, .tolerance = s->options->resolution};
+    TRY(search_look(s, &pose, &any, &room));
     for (int i = 0; i < ROUNDS && step > last_step && s->out->looks < s->options->most_looks; i++) {
         bool moved = false;
         int n;
@@ -93,7 +95,8 @@ status search_starts(search *s)
     // a pose that has room already is enough of an answer
     for (int i = 0; i < family.npose; i++) {
         double room;
-        TRY(search_look(s, &family.pose[i], &room));
+        clearance_wish any = {.below = -INFINITY, .tolerance = s->options->resolution};
+        TRY(search_look(s, &family.pose[i], &any, &room));
     }
     for (int i = 0; i < family.npose && s->out->room < 0; i++) {
         TRY(lead(s, family.pose[i]));

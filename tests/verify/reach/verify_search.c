@@ -73,7 +73,7 @@ static void start(const scope *s, toy_search *t)
 {
     const pose entry = pose_identity();
     t->scope = s;
-    t->room = (room_probe){toy_room, &t->toy};
+    t->room = (room_probe){.at = toy_room, .context = &t->toy};
     t->options = search_options_default();
     t->options.most_looks = 4000; // enough for the resolution everywhere here
     CHECK_OK(scope_state_make(s, &entry, &t->state));
