@@ -17,10 +17,11 @@ typedef struct body_curve {
 } body_curve;
 
 typedef struct clearance {
-    double least;       // at s, anyway's room included; negative: the skin is within the tissue by so much [m]
-    double bound;       // it is nowhere less: least - tolerance <= bound <= least [m]
-    double s;           // where
-    vec3 point;         // on the curve
+    double least; // at s, anyway's room included; negative: the skin is within the tissue by so
+                  // much [m]
+    double bound; // it is nowhere less: least - tolerance <= bound <= least [m]
+    double s;     // where
+    vec3 point;   // on the curve
     nearest_point wall; // the wall's point that is nearest to it
     int queries;        // distances asked for
 } clearance;

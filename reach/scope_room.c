@@ -3,7 +3,8 @@
 
 typedef struct scope_body {
     scope_state *state;
-    pose base;
+    pose base, entry;
+    double free_entry;
 } scope_body;
 
 static vec3 body_point(const void *context, double s)
@@ -16,16 +17,27 @@ static vec3 body_point(const void *context, double s)
     return vec3_add(b->base.p, mat3_mul_vec(b->base.R, h));
 }
 
+// in the channel, from how far a point is from the line there
+static double channel_room(const void *context, vec3 p)
+{
+    const scope_body *b = context;
+    const vec3 x = mat3_tmul_vec(b->entry.R, vec3_sub(p, b->entry.p));
+    const double beyond = fmax(x.a[2] - b->free_entry, 0);
+    return SCOPE_CHANNEL_PLAY - hypot(hypot(x.a[0], x.a[1]), beyond);
+}
+
 static void roughly(const scope_room *room, scope_state *state, const double *q,
                     const clearance_wish *wish, clearance *out)
 {
-    const scope_body body = {state, scope_base(state, q)};
+    const scope_body body = {state, scope_base(state, q), scope_entry(state), room->free_entry};
     const double length = scope_of(state)->length;
+    // the shaft is on the line, where the channel has room for it
     const body_curve curve = {.at = body_point,
                               .context = &body,
-                              .begin = fmin(room->free_entry - q[SCOPE_INSERTION], length),
+                              .begin = fmin(room->free_entry - q[SCOPE_INSERTION], 0),
                               .end = length,
-                              .stretch = scope_stretch(state)};
+                              .stretch = scope_stretch(state),
+                              .anyway = channel_room};
     clearance_until(room->tree, &curve, scope_of(state)->radius, wish, out);
 }
 

@@ -8,8 +8,12 @@
 typedef struct scope_room {
     const distance_tree *tree;
     double tolerance;  // of the clearance, from above [m]
-    double free_entry; // from the entry, this much of the body is not looked at [m]
+    double free_entry; // a channel about the line leads so far, through tissue if need be [m]
 } scope_room;
+
+// Room that the channel leaves about the scope: there a body is off the line by no more than this.
+// A scope bends behind it, or so little before it [m].                 docs/theory.md (10.14)
+#define SCOPE_CHANNEL_PLAY 1e-4
 
 // After scope_bend: how much room the body has at q, and where it is least.
 void scope_clearance(const scope_room *room, scope_state *state, const double *q, clearance *out);

@@ -61,7 +61,8 @@ static void motions(const bend_sweep *w, const box *b, double part[JOINTS], doub
     part[SCOPE_TURN] = turn * (m.farthest + bent);
     part[SCOPE_BEND] = bent;
     // along the line and about it are at right angles
-    *tip = hypot(part[SCOPE_INSERTION], turn * (hypot(m.tip.a[0], m.tip.a[1]) + tip_bent)) + tip_bent;
+    *tip =
+        hypot(part[SCOPE_INSERTION], turn * (hypot(m.tip.a[0], m.tip.a[1]) + tip_bent)) + tip_bent;
 }
 
 // how far the tip is from the target, without a solve
@@ -119,8 +120,8 @@ static status consider(search *s, cylinder_point c, heap *h, box *b)
     const double middle[2] = {pose.q[0], pose.q[1]};
     towards(s, c, m.tip, pose.q);
     b->motion = hypot(part[SCOPE_INSERTION], part[SCOPE_TURN]) + part[SCOPE_BEND];
-    const double shift = hypot(pose.q[SCOPE_INSERTION] - middle[0],
-                               (pose.q[SCOPE_TURN] - middle[1]) * m.farthest);
+    const double shift =
+        hypot(pose.q[SCOPE_INSERTION] - middle[0], (pose.q[SCOPE_TURN] - middle[1]) * m.farthest);
     // less than this is as good as none
     const double useful = s->out->room >= 0 ? s->out->room : 0;
     clearance_wish wish = {s->options->resolution, useful - b->motion - shift, b->s};
