@@ -38,5 +38,9 @@ status csv_measured(const run_result *r, const char *dir);
 // reports/csv_fit.c: fit.csv, a row per parameter, and fit_residuals.csv.
 status csv_fit(const fit_result *f, const char *dir);
 
+// reports/csv_reach.c: reach.csv, reach_scopes.csv, reach_body.csv, reach_way.csv, reach_map.csv
+// and design.csv, those that there is something to say in.
+status csv_reach(const reach_result *r, const char *dir);
+
 // reports/csv_segment.c: segment.csv and segment_slices.csv.
 status csv_segment(const run_result *r, const char *dir);

@@ -69,11 +69,8 @@ static void write_answer(json *j, const reach_result *r, const reach_scope_resul
     json_real(j, "clearance_m", a->clearance);
     json_real(j, "least_clear_at_s_m", a->s);
     json_real(j, "clearance_bound_m", a->bound);
-    if (a->joint >= 0) {
-        json_integer(j, "limit_joint", a->joint);
-    } else {
-        json_null(j, "limit_joint");
-    }
+    json_text(j, "limit_joint",
+              a->joint >= 0 ? reach_joint_words(s, a->joint, words, sizeof words) : NULL);
     json_real(j, "strain", a->strain);
     json_integer(j, "looks", a->looks);
     json_integer(j, "starts", a->starts);
@@ -152,10 +149,12 @@ static void write_paper(json *j)
     json_object_end(j);
 }
 
-static void write_design_row(json *j, const reach_design_result *d, const reach_design_row *row)
+static void write_design_row(json *j, const reach_design_result *d, int i)
 {
+    const reach_design_row *row = &d->row[i];
     json_object(j, NULL);
-    json_integer(j, "island", row->island);
+    json_flag(j, "best", i == d->best);
+    json_integer(j, "island", row->island + 1);
     json_integer(j, "evaluation", row->evaluation);
     json_real(j, "goal", row->goal);
     json_real(j, "score", row->score);
@@ -186,14 +185,9 @@ static void write_design(json *j, const reach_design_result *d)
     json_integer(j, "failed", d->failed);
     json_integer(j, "islands", d->islands);
     json_integer(j, "seed", d->seed);
-    if (d->nrow > 0) {
-        json_integer(j, "best_row", d->best);
-    } else {
-        json_null(j, "best_row");
-    }
     json_array(j, "improvements");
     for (int i = 0; i < d->nrow; i++) {
-        write_design_row(j, d, &d->row[i]);
+        write_design_row(j, d, i);
     }
     json_array_end(j);
     json_object_end(j);

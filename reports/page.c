@@ -22,6 +22,22 @@ done:
     return st;
 }
 
+// n of N targets, of the first few scopes
+static status reached_numbers(bytes *page, const reach_result *r)
+{
+    enum { SHOWN_SCOPES = 6 };
+    status st = OK;
+    for (int i = 0; r->ntarget > 0 && i < r->nscope && i < SHOWN_SCOPES; i++) {
+        char name[REACH_NAME + 40], count[32];
+        (void)snprintf(name, sizeof name, "Targets reached: %s", r->scope[i].name);
+        (void)snprintf(count, sizeof count, "%d of %d", r->scope[i].nreached, r->ntarget);
+        TRY(key_number(page, name, count, r->synthetic ? "in synthetic anatomy" : ""));
+    }
+
+done:
+    return st;
+}
+
 static status key_numbers(bytes *page, const run_result *r)
 {
     status st = OK;
@@ -52,6 +68,7 @@ static status key_numbers(bytes *page, const run_result *r)
         TRY(key_number(page, name, number_fixed(hypot(w[0], w[1]) * 180 / acos(-1.0), 3).text,
                        "deg"));
     }
+    TRY(reached_numbers(page, &r->reach));
     if (r->has_compare && r->ncompare > 0) {
         TRY(key_number(page, "Comparisons", verdict(r), ""));
     }
@@ -74,6 +91,7 @@ static status header(bytes *page, const run_result *r)
          r->measured.synthetic ? "Synthetic shapes" : "Measured shapes"},
         {r->has_segment, "segment", "3D segment"},
         {r->fit.there, "fit", "Fit"},
+        {r->reach.there, "reach", "Where the scopes reach"},
         {r->has_compare, "compare", "Comparisons"},
         {r->has_sensitivity, "sensitivity", "What moves the answer"},
         {true, "assumptions", "Assumptions"},
@@ -124,6 +142,7 @@ status report_page(const run_result *r, const char *dir)
     TRY(page_measured(page, r, dir));
     TRY(page_segment(page, r, dir));
     TRY(page_fit(page, r, dir));
+    TRY(page_reach(page, r, dir));
     TRY(page_compare(page, r));
     TRY(page_models(page, r));
     TRY(page_sensitivity(page, r, dir));

@@ -30,7 +30,8 @@ status page_compare(bytes *page, const run_result *r);
 status page_models(bytes *page,
                    const run_result *r); // reports/page_models.c, below the comparisons
 status page_sensitivity(bytes *page, const run_result *r, const char *dir);
-status page_fit(bytes *page, const run_result *r, const char *dir); // reports/page_fit.c
+status page_fit(bytes *page, const run_result *r, const char *dir);   // reports/page_fit.c
+status page_reach(bytes *page, const run_result *r, const char *dir); // reports/page_reach.c
 status page_assumptions(bytes *page, const run_result *r);
 status page_origin(bytes *page, const run_result *r);
 

@@ -197,6 +197,7 @@ status result_csv(const run_result *r, const char *dir)
     TRY(r->models.there ? csv_models(&r->models, dir) : OK);
     TRY(csv_sensitivity(r, dir));
     TRY(r->fit.there ? csv_fit(&r->fit, dir) : OK);
+    TRY(r->reach.there ? csv_reach(&r->reach, dir) : OK);
 
 done:
     return st;

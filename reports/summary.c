@@ -1,5 +1,6 @@
 // reports/summary.c
 // What the terminal shows: a few aligned lines, plain ASCII but for the user's own words.
+#include "reach/reach_case.h"
 #include "reports/fig4_paper.h"
 #include "reports/figures.h"
 #include "reports/page_kit.h"
@@ -260,6 +261,36 @@ static void sensitivity_lines(summary *s, const run_result *r)
     }
 }
 
+static void reach_lines(summary *s, const reach_result *r)
+{
+    enum { SHOWN = 6 };
+    add(s, "reach    %d target%s%s, %s", r->ntarget, r->ntarget == 1 ? "" : "s",
+        r->synthetic ? " in SYNTHETIC anatomy" : "",
+        r->path == REACH_INSERTION ? "final poses and ways in" : "final poses only");
+    for (int i = 0; i < r->nscope && i < SHOWN; i++) {
+        const reach_scope_result *one = &r->scope[i];
+        char area[64] = "";
+        if (one->state) {
+            (void)snprintf(area, sizeof area, "   %.1f +- %.1f %% of the wall",
+                           100 * one->area_reached, 100 * one->area_error);
+        }
+        add(s, "         %d of %d%s   %s", one->nreached, r->ntarget, area, one->name);
+    }
+    if (r->nscope > SHOWN) {
+        add(s, "         and %d more scopes in reach_scopes.csv", r->nscope - SHOWN);
+    }
+    add(s,
+        "         the paper prints %d and %d of %d, on a patient's anatomy that is not published",
+        PAPER_REACH_CONSTANT_CURVATURE, PAPER_REACH_HELICAL, PAPER_REACH_TARGETS);
+    const reach_design_result *d = &r->design;
+    if (d->there && d->nrow > 0) {
+        const double unit = d->goal == DESIGN_AREA ? 100 : 1;
+        add(s, "design   %s %.4g%s, at the start %.4g; %d evaluations, seed %d", d->scope,
+            unit * d->row[d->best].goal, d->goal == DESIGN_AREA ? " % of the wall" : " targets",
+            unit * d->start_goal, d->evaluations, d->seed);
+    }
+}
+
 status report_summary(const run_result *r, int max_lines, void *stdio_stream)
 {
     FILE *stream = stdio_stream;
@@ -280,6 +311,9 @@ status report_summary(const run_result *r, int max_lines, void *stdio_stream)
     }
     if (r->has_segment) {
         segment_lines(&rest, r);
+    }
+    if (r->reach.there) {
+        reach_lines(&rest, &r->reach);
     }
     if (r->has_compare && r->ncompare > 0) {
         compare_lines(&rest, r);
