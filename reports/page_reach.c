@@ -204,7 +204,8 @@ done:
     return st;
 }
 
-static status answer_cell(bytes *page, const reach_scope_result *s, const reach_answer *a)
+static status answer_cell(bytes *page, const reach_result *r, const reach_scope_result *s,
+                          const reach_answer *a)
 {
     status st = OK;
     const bool reached = a->verdict == REACH_REACHED;
@@ -215,7 +216,7 @@ static status answer_cell(bytes *page, const reach_scope_result *s, const reach_
     } else {
         PAGE("<small>");
         TRY(page_escaped(page, a->why));
-        PAGE("</small>%s", reach_is_proved(a) ? "<small>proved</small>" : "");
+        PAGE("</small>%s", reach_is_proved(r, a) ? "<small>proved</small>" : "");
     }
     PAGE("</td>");
 
@@ -234,7 +235,7 @@ static status target_row(bytes *page, const reach_result *r, int target)
          isfinite(r->target_depth[target]) ? number_fixed(1e3 * r->target_depth[target], 2).text
                                            : "");
     for (int i = 0; i < r->nscope; i++) {
-        TRY(answer_cell(page, &r->scope[i], &r->scope[i].answer[target]));
+        TRY(answer_cell(page, r, &r->scope[i], &r->scope[i].answer[target]));
     }
     PAGE("</tr>\n");
 

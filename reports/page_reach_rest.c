@@ -26,7 +26,7 @@ static tally tally_of(const reach_result *r, const reach_scope_result *s)
             continue;
         }
         t.missed++;
-        if (reach_is_proved(a)) {
+        if (reach_is_proved(r, a)) {
             t.proved++;
         } else if (far && s->njoint == SCOPE_BEND + 1) {
             t.whole++;

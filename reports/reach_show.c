@@ -21,9 +21,9 @@ const char *reach_joint_unit(const reach_scope_result *s, int joint)
     return joint == SCOPE_INSERTION ? "m" : joint == SCOPE_TURN || s->arc ? "rad" : "N";
 }
 
-bool reach_is_proved(const reach_answer *a)
+bool reach_is_proved(const reach_result *r, const reach_answer *a)
 {
-    return a->verdict != REACH_REACHED && a->bound < 0;
+    return a->verdict == REACH_COLLISION && a->bound < r->clearance;
 }
 
 static void not_near_words(const reach_scope_result *s, const reach_answer *a, char *words,
@@ -42,14 +42,16 @@ static void not_near_words(const reach_scope_result *s, const reach_answer *a, c
 static void no_room_words(const reach_result *r, const reach_scope_result *s, const reach_answer *a,
                           char *words, size_t room)
 {
-    if (a->bound < 0) {
-        (void)snprintf(words, room, "proved: no pose near has more room than %.3g mm (%d looks)",
+    if (reach_is_proved(r, a)) {
+        (void)snprintf(words, room,
+                       "proved: no pose near has more clearance than %.3g mm (%d looks)",
                        1e3 * a->bound, a->looks);
     } else if (isfinite(a->bound)) {
-        (void)snprintf(words, room,
-                       "none found in %d looks; proved only that none has more room than %.3g mm "
-                       "(steps down to %.3g mm)",
-                       a->looks, 1e3 * a->bound, 1e3 * r->resolution);
+        (void)snprintf(
+            words, room,
+            "none found in %d looks; proved only that none has more clearance than %.3g mm "
+            "(steps down to %.3g mm)",
+            a->looks, 1e3 * a->bound, 1e3 * r->resolution);
     } else {
         (void)snprintf(words, room,
                        "none found in %d looks from %d starts, tips %.3g mm apart: "

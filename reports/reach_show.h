@@ -10,8 +10,8 @@ enum { REACH_WORDS = 256 };
 const char *reach_joint_words(const reach_scope_result *s, int joint, char *words, size_t room);
 const char *reach_joint_unit(const reach_scope_result *s, int joint); // "m", "rad" or "N"
 
-// Not reached, and a bound says that nothing near was overlooked.
-bool reach_is_proved(const reach_answer *a);
+// Not reached, and no pose that is near has the clearance asked for: its bound says so.
+bool reach_is_proved(const reach_result *r, const reach_answer *a);
 
 // How thorough the search was that found no pose, "" where one was found.
 const char *reach_search_words(const reach_result *r, const reach_scope_result *s,

@@ -306,15 +306,18 @@ static void json_says_the_same(void)
 
 static void not_reached_says_how_thorough(void)
 {
-    const reach_result r = {.resolution = 5e-5};
+    reach_result r = {.resolution = 5e-5};
     const reach_scope_result one = {.njoint = 3, .spacing = 2e-4}, two = {.njoint = 4};
     reach_answer a = {.verdict = REACH_COLLISION, .bound = -3e-4, .looks = 9};
     char words[REACH_WORDS];
-    CHECK(reach_is_proved(&a));
+    CHECK(reach_is_proved(&r, &a));
+    r.clearance = -4e-4; // so much in the wall is asked for
+    CHECK(!reach_is_proved(&r, &a));
+    r.clearance = 0;
     CHECK(strstr(reach_search_words(&r, &one, &a, words, sizeof words), "proved: ") == words);
     CHECK(strstr(words, "-0.3 mm") != NULL);
     a.bound = 1e-4;
-    CHECK(!reach_is_proved(&a));
+    CHECK(!reach_is_proved(&r, &a));
     CHECK(strstr(reach_search_words(&r, &one, &a, words, sizeof words), "9 looks") != NULL);
     a.bound = INFINITY;
     CHECK(strstr(reach_search_words(&r, &two, &a, words, sizeof words), "not proved") != NULL);
