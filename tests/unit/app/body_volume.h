@@ -7,7 +7,7 @@
 
 #include <math.h>
 
-enum { VOLUME_MATERIALS = 8 };
+enum { VOLUME_MATERIALS = 8, PLANE_NODES = (ELEMENT_MAX_ORDER + 1) * (ELEMENT_MAX_ORDER + 1) };
 
 typedef struct body_volume {
     double of[VOLUME_MATERIALS]; // [m^3] per material
@@ -22,21 +22,36 @@ typedef struct line_point {
     double L[ELEMENT_MAX_ORDER + 1], dL[ELEMENT_MAX_ORDER + 1];
 } line_point;
 
-static inline void volume_point(const body *b, const int *conn, int n, int layer, const double *N,
-                                const double *dN, const line_point *line, double weight,
-                                volume_sum *sum)
+// where the element's nodes in its plane are at one place along it, and how they go on there
+typedef struct plane_nodes {
+    double at[PLANE_NODES][3], on[PLANE_NODES][3];
+} plane_nodes;
+
+static inline void plane_nodes_at(const body *b, const int *conn, int n, int layer,
+                                  const line_point *line, plane_nodes *out)
 {
-    const double *L = line->L, *dL = line->dL;
-    double J[3][3] = {{0}};
+    *out = (plane_nodes){0};
     for (int k = 0; k <= b->order; k++) {
         for (int i = 0; i < n; i++) {
             double x[3];
             body_node(b, conn[i], layer * b->order + k, x);
             for (int r = 0; r < 3; r++) {
-                J[0][r] += dN[2 * i] * L[k] * x[r];
-                J[1][r] += dN[2 * i + 1] * L[k] * x[r];
-                J[2][r] += N[i] * dL[k] * x[r];
+                out->at[i][r] += line->L[k] * x[r];
+                out->on[i][r] += line->dL[k] * x[r];
             }
+        }
+    }
+}
+
+static inline void volume_point(const plane_nodes *x, int n, const double *N, const double *dN,
+                                double weight, volume_sum *sum)
+{
+    double J[3][3] = {{0}};
+    for (int i = 0; i < n; i++) {
+        for (int r = 0; r < 3; r++) {
+            J[0][r] += dN[2 * i] * x->at[i][r];
+            J[1][r] += dN[2 * i + 1] * x->at[i][r];
+            J[2][r] += N[i] * x->on[i][r];
         }
     }
     const vec3 u = {{J[0][0], J[0][1], J[0][2]}}, v = {{J[1][0], J[1][1], J[1][2]}},
@@ -68,13 +83,15 @@ static inline body_volume body_volumes(const body *b)
             const int *conn = block->conn + (size_t)element * (size_t)block->per_elem;
             volume_sum sum = {.low = INFINITY};
             double measure = 0;
-            for (int q = 0; q < table->npoint * ng && material >= 0; q++) {
-                const int p = q % table->npoint;
-                const double weight = table->weight[p] * g[q / table->npoint];
-                measure += weight;
-                volume_point(b, conn, table->nnode, layer, table->N + p * table->nnode,
-                             table->dN + 2 * p * table->nnode, &line[q / table->npoint], weight,
-                             &sum);
+            CHECK(table->nnode <= PLANE_NODES);
+            for (int q = 0; q < ng && material >= 0; q++) {
+                plane_nodes x;
+                plane_nodes_at(b, conn, table->nnode, layer, &line[q], &x);
+                for (int p = 0; p < table->npoint; p++) {
+                    measure += table->weight[p] * g[q];
+                    volume_point(&x, table->nnode, table->N + p * table->nnode,
+                                 table->dN + 2 * p * table->nnode, table->weight[p] * g[q], &sum);
+                }
             }
             if (material >= 0) {
                 CHECK(material < VOLUME_MATERIALS);

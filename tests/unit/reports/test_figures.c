@@ -63,8 +63,8 @@ static void numbers_beyond_paper_do_no_harm(void)
 {
     char dir[64];
     scratch_make(dir);
-    static const double values[] = {1e9, 1e160, 1e308, INFINITY, NAN};
-    for (size_t i = 0; i < sizeof values / sizeof *values; i++) {
+    static const double values[] = {1e9, 1e308, NAN, 1e160, INFINITY};
+    for (int i = 0; i < (test_is_long() ? 5 : 3); i++) {
         run_result r = {0};
         CHECK_OK(synthetic_loaded_make(2, 0.4, -0.5, LOADS, &r));
         r.segment.load[0].displacement[7] = values[i];
