@@ -1,0 +1,233 @@
+#!/bin/sh
+# Which targets scopes reach, where that is known by hand: in a ball. And what a case, a surface and targets can have wrong,
+# one clear line each.
+set -u
+. "$STIFFAXIS_SOURCE/tests/cli/helpers"
+
+# ball ROWS RADIUS X Z: a sphere as text STL, 2 ROWS columns
+ball() {
+    awk -v n="$1" -v R="$2" -v x="$3" -v z="$4" '
+    function corner(i, j) {
+        a = 3.14159265358979 * i / n; b = 3.14159265358979 * (j % (2 * n)) / n; r = i % n ? R * sin(a) : 0
+        return sprintf("vertex %.9g %.9g %.9g\n", x + r * cos(b), r * sin(b), z - R * cos(a))
+    }
+    function facet(a, b, c) { printf "facet normal 0 0 0\nouter loop\n%s%s%sendloop\nendfacet\n", a, b, c }
+    BEGIN {
+        print "solid ball"
+        for (i = 0; i < n; i++)
+            for (j = 0; j < 2 * n; j++) {
+                if (i < n - 1) facet(corner(i, j), corner(i + 1, j), corner(i + 1, j + 1))
+                if (i > 0) facet(corner(i, j), corner(i + 1, j + 1), corner(i, j + 1))
+            }
+        print "endsolid ball"
+    }'
+}
+ball 60 20 0 15 >"$work/ball.stl"
+
+# --- a straight tip: it comes to its line only, and its end to where a ball of its radius has room
+
+cat >"$work/straight.csv" <<'END'
+name,x [mm],y [mm],z [mm]
+on,0,0,15
+near,0.9,0,15
+off,1.5,0,15
+deep,0,0,34
+wall,0,0,34.9
+END
+cat >"$work/straight.yaml" <<'END'
+format: 1
+title: a straight tip in a ball
+reach:
+  tissue: ball.stl
+  tissue_unit: mm
+  targets: straight.csv
+  entry: {point_mm: [0, 0, -20], direction: [0, 0, 3]}
+  synthetic: true
+  scopes:
+    - {name: long, radius_mm: 1.4, insertion_mm: [0, 60], constant_curvature: {length_mm: 10, bend_deg: [0, 0]}}
+    - {name: short, radius_mm: 1.4, insertion_mm: [0, 42.5], constant_curvature: {length_mm: 10, bend_deg: [0, 0]}}
+END
+expect 0 "$program" check "$work/straight.yaml"
+out '2 scopes for 5 targets in a surface of 14160 triangles'
+expect 0 "$program" reach "$work/straight.yaml"
+out 'SYNTHETIC tissue ball.stl'
+out 'checked: the final pose'
+out 'long                                    3 of    5'
+out 'short                                   2 of    5'
+out "the paper's Table IV, on a patient's anatomy that is not published: constant curvature 14 of 20, helical 18 of 20"
+expect 0 "$program" reach "$work/straight.yaml" --json
+cp "$work/out" "$work/straight.json"
+
+# --- a bent one: rho = (1 - cos a) L / a; a rod of one soft material bends as an arc that its tendon shortens
+
+cat >"$work/bent.csv" <<'END'
+x_mm,y_mm,z_mm,label
+4,0,20,a
+0,-6,22,b
+-8,0,18,c
+END
+cat >"$work/bent.yaml" <<'END'
+format: 1
+materials: {soft: {E_MPa: 1, nu: 0.45, linear_strain: 0.12}}
+section:
+  model: classical
+  shapes: [{annulus: {outer_radius_mm: 1.4, inner_radius_mm: 1}, material: soft}]
+rod: {length_mm: 12, tendons: [{name: t, radius_mm: 1.2, angle_rad: 0}]}
+reach:
+  tissue: ball.stl
+  tissue_unit: mm
+  targets: bent.csv
+  entry: {point_mm: [0, 0, -20], towards_mm: [0, 0, 1]}
+  tolerance_mm: 0.2
+  scopes:
+    - {name: arc, radius_mm: 1.4, insertion_mm: [0, 60], constant_curvature: {length_mm: 12, bend_deg: [0, 80]}}
+    - {name: rod, radius_mm: 1.4, insertion_mm: [0, 60], rod: {}, tensions_N: [[0, 0.2]]}
+    - {name: stiffer, radius_mm: 1.4, insertion_mm: [0, 60], rod: {set: [materials.soft.E_MPa=2]}, tensions_N: [[0, 0.4]]}
+    - {name: limited, radius_mm: 1.4, insertion_mm: [0, 60], rod: {}, tensions_N: [[0, 0.2]], strain_limit: true}
+END
+cat >"$work/other.yaml" <<'END'
+format: 1
+materials: {soft: {E_MPa: 2, nu: 0.45}}
+section:
+  model: classical
+  shapes: [{annulus: {outer_radius_mm: 1.4, inner_radius_mm: 1}, material: soft}]
+rod: {length_mm: 12, tendons: [{name: t, radius_mm: 1.2, angle_rad: 0}], tensions_N: [[0]]}
+END
+sed 's/rod: {set: .materials.soft.E_MPa=2.}/rod: {file: other.yaml}/' "$work/bent.yaml" >"$work/file.yaml"
+expect 0 "$program" reach "$work/bent.yaml" --json
+cp "$work/out" "$work/bent.json"
+expect 0 "$program" reach "$work/file.yaml" --json
+cp "$work/out" "$work/file.json"
+expect 0 "$program" reach "$work/bent.yaml"
+out "there 'soft' is strained by its 12 %"
+
+python3 - "$work" <<'END' || fail 'the ball: not what is known by hand'
+import json, math, sys
+read = lambda name: {s["name"]: s for s in json.load(open(f"{sys.argv[1]}/{name}.json"))["scopes"]}
+def near(a, b, by, what):
+    if not abs(a - b) <= by:
+        sys.exit(f"{what}: {a}, wanted {b}")
+
+s = read("straight")
+def told(scope):
+    return [a["verdict"] for a in s[scope]["answers"]]
+if told("long") != ["reached", "reached", "joint_limit", "reached", "collision"]: sys.exit(f"long: {told('long')}")
+if told("short") != ["reached", "reached", "joint_limit", "joint_limit", "joint_limit"]: sys.exit(f"short: {told('short')}")
+long, short = s["long"]["answers"], s["short"]["answers"]
+near(long[2]["miss_m"], 1.5e-3, 1e-9, "off its line")
+if long[1]["miss_m"] > 1e-3: sys.exit("near: farther than the tolerance")
+# 1 mm of tolerance, 1.4 mm of radius: no pose has more room than 35 - 33.9 - 1.4, less what the facets cut off
+if long[4]["clearance_m"] > -0.3e-3 or long[4]["clearance_bound_m"] < -0.31e-3: sys.exit("wall: more room than there is")
+if not long[4]["proved"]: sys.exit("wall: not proved")
+if not 0 <= long[3]["clearance_m"] <= 0.6e-3: sys.exit("deep: more room than there is")
+near(short[3]["miss_m"], 1.5e-3, 1e-9, "short of deep")
+if short[3]["limit_joint"] != 0: sys.exit("short: not limited by its insertion")
+
+s, other = read("bent"), read("file")
+rho, z = [4e-3, 6e-3, 8e-3], [20e-3, 22e-3, 18e-3]
+L, ro, ri, r = 12e-3, 1.4e-3, 1e-3, 1.2e-3
+EI, EA = 1e6 * math.pi / 4 * (ro**4 - ri**4), 1e6 * math.pi * (ro**2 - ri**2)
+for i in range(2):
+    a = s["arc"]["answers"][i]
+    bend = a["pose"]["bend_rad"]
+    if a["verdict"] != "reached": sys.exit(f"arc {i}: {a['verdict']}")
+    near((1 - math.cos(bend)) * L / bend, rho[i], 1e-7, "arc")
+    near(-20e-3 + a["pose"]["insertion_m"] + math.sin(bend) * L / bend, z[i], 1e-7, "arc z")
+    a = s["rod"]["answers"][i]
+    T = a["pose"]["tensions_N"][0]
+    bend, length = T * r * L / EI, L * (1 - T / EA)
+    if a["verdict"] != "reached": sys.exit(f"rod {i}: {a['verdict']}")
+    near((1 - math.cos(bend)) * length / bend, rho[i], 1e-7, "rod")
+    near(a["strain"], max(T * r * ro / EI + T / EA, 0), 1e-3 * a["strain"], "strain")
+    for b in s["stiffer"]["answers"][i], other["stiffer"]["answers"][i]:
+        near(b["pose"]["tensions_N"][0], 2 * T, 1e-6 * T, "twice as stiff")
+c = s["arc"]["answers"][2]
+near(c["miss_m"], 8e-3 - (1 - math.cos(80 * math.pi / 180)) * L / (80 * math.pi / 180), 1e-7, "past the arc's bend")
+if c["verdict"] != "joint_limit" or c["limit_joint"] != 2: sys.exit("arc: not limited by its bend")
+high = s["limited"]["joints"][2]["high"]
+near(high * r * ro / EI + high / EA, 0.12, 1e-4, "the strain that limits")
+END
+# --- what is wrong with a case: exit code 2 and its place
+
+sed 's/ball.stl/small.stl/' "$work/straight.yaml" >"$work/good.yaml"
+ball 12 20 0 15 >"$work/small.stl"
+expect 0 "$program" check "$work/good.yaml"
+
+# wrong SED LINE WORDS: good.yaml changed so is refused in this line
+wrong() {
+    sed "$1" "$work/good.yaml" >"$work/bad.yaml"
+    expect 2 "$program" reach "$work/bad.yaml"
+    err "$work/bad.yaml:$2:"
+    err "$3"
+    one_line
+}
+wrong '/tissue_unit/d' 4:3 "key 'tissue_unit' is missing"
+wrong 's/tissue_unit: mm/tissue_unit: furlong/' 5:16 'furlong'
+wrong 's/name: short/name: long/' 11:7 "two scopes are called 'long'"
+wrong 's/\[0, 42.5\]/[42.5, 0]/' 11:7 "scope 'short': insertion from 42.5 to 0 mm is no range"
+wrong 's/bend_deg: \[0, 0\]/bend_deg: [90, 0]/' 10 "scope 'long': bend from 90 to 0 degrees is no range"
+wrong 's/bend_deg: \[0, 0\]/bend_deg: [0, 500]/' 10 'bend_deg'
+wrong 's/name: short,/name: short, tensions_N: [[0, 1]],/' 11 "scope 'short' has no tendons"
+wrong 's/name: short,/name: short, rod: {},/' 11 "'rod' and 'constant_curvature' exclude each other"
+wrong '11s/, constant_curvature: {.*}/}/' 11:7 'one of rod, constant_curvature is missing'
+wrong '11s/constant_curvature: {.*}/rod: {}, tensions_N: [[0, 1]]}/' 11 "the case has no 'rod'"
+wrong '11s/constant_curvature: {.*}/rod: {}}/' 11 'give the least and most tension of its tendons'
+wrong '11s/constant_curvature: {.*}/rod: {file: none.yaml}, tensions_N: [[0, 1]]}/' 11 "scope 'short': "
+wrong '11s/constant_curvature: {.*}/rod: {file: other.yaml, set: [rod.lenth_mm=3]}, tensions_N: [[0, 1]]}/' 11 "did you mean"
+wrong '11s/constant_curvature: {.*}/rod: {file: other.yaml}, tensions_N: [[0, 1], [0, 1]]}/' 11 '2 rows of tensions, but its rod has 1 tendon'
+wrong '11s/constant_curvature: {.*}/rod: {file: other.yaml}, tensions_N: [[0, 1]], strain_limit: true}/' 11 'no material has a linear_strain'
+wrong '2s/.*/rod: {length_mm: 5}/' 2 "key 'section' is missing in the case: its 'rod' needs one"
+wrong 's/direction: .0, 0, 3./direction: [0, 0, 0]/' 7 'has no length'
+wrong 's/direction: .0, 0, 3./towards_mm: [0, 0, -20]/' 7 'goes nowhere'
+wrong 's/, direction: .0, 0, 3.//' 7 'one of direction, towards_mm is missing'
+wrong 's/direction:/towards_mm: [0, 0, 1], direction:/' 7 'exclude each other'
+wrong 's/\[0, 0, -20\]/[30, 0, -20]/' 7 'the entry line misses the tissue'
+wrong 's/direction: .0, 0, 3./direction: [0, 0, -3]/' 7 'leads away from the tissue'
+wrong 's/\[0, 0, -20\]/[19.2, 0, -20]/' 7 'nowhere room for a shaft'
+wrong '/targets:/d' 3 'nothing to reach'
+wrong 's/tissue_unit: mm/tissue_unit: m/' 4 "is the file's unit another one?"
+wrong 's/tissue_unit: mm/tissue_unit: um/' 4 "is the file's unit another one?"
+expect 2 "$program" reach "$source/cases/fig4.yaml"
+err "the case has no 'reach'"
+expect 2 "$program" rod "$work/good.yaml"
+err "the case has no 'rod'"
+expect 2 "$program" section "$work/good.yaml"
+err "the case has no 'section'"
+printf 'format: 1\n' >"$work/bad.yaml"
+expect 2 "$program" check "$work/bad.yaml"
+err "$work/bad.yaml:1:1: error: key 'materials' is missing in the case"
+
+# --- what is wrong with its files: exit code 3, unless the case does not fit them
+
+# file CODE NAME WORDS: with this file in the place of the targets or the surface
+file() {
+    sed "s/small.stl/$2/" "$work/good.yaml" >"$work/bad.yaml"
+    [ "${2%.csv}" = "$2" ] || sed "s/straight.csv/$2/" "$work/good.yaml" >"$work/bad.yaml"
+    expect "$1" "$program" check "$work/bad.yaml"
+    err "$2"
+    err "$3"
+    one_line
+}
+file 3 none.stl 'No such file'
+sed '/facet normal/{x;s/^/n/;/^n\{40\}$/{x;:a;N;/endfacet/!ba;d};x}' "$work/small.stl" >"$work/open.stl"
+file 3 open.stl 'open'
+{ ball 12 20 0 15; ball 12 20 25 15; } | sed '/solid/d; 1i solid two
+$a endsolid two' >"$work/cross.stl"
+file 3 cross.stl 'cross'
+head -c 20000 "$work/small.stl" >"$work/cut.stl"
+file 3 cut.stl 'cut.stl:'
+printf 'x,y,z\n0,0,15\n' >"$work/unit.csv"
+file 3 unit.csv "unit"
+printf 'x_mm,y_mm\n0,0\n' >"$work/flat.csv"
+file 3 flat.csv "no column 'z_mm'"
+printf 'x_mm,y_mm,z_mm\n0,,15\n' >"$work/gap.csv"
+file 3 gap.csv ':2: a target without its y'
+printf 'x_mm,y_mm,z_mm,name\n0,0,15,a\n0,0,16,a\n' >"$work/twice.csv"
+file 3 twice.csv "two targets are called 'a'"
+printf 'x_mm,y_mm,z_mm\n0,0,15\n0,0,60\n0,0,40\n' >"$work/outside.csv"
+file 2 outside.csv ":3: target '2' lies 25 mm outside the tissue (small.stl), the farthest of 2 that do"
+printf 'x_cm,y_cm,z_cm\n0,0,15\n' >"$work/cm.csv"
+file 2 cm.csv 'another unit or frame?'
+awk 'BEGIN { print "x_mm,y_mm,z_mm"; for (i = 0; i < 10001; i++) print "0,0,15" }' >"$work/many.csv"
+file 3 many.csv 'more than 10000 rows'
+finish
