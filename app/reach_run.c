@@ -25,28 +25,13 @@ double reach_resolution(double tolerance)
 
 // --- one target, in a worker
 
-// What a room probe adds to scope_room: what is to be left beside the body, and what the probe may
-// overlook.
-typedef struct margin_room {
-    scope_room inside;
-    double margin; // [m]
-} margin_room;
-
-static double room_left(void *context, scope_state *state, const double *q, double *s)
-{
-    const margin_room *m = context;
-    clearance c = {0};
-    scope_clearance(&m->inside, state, q, &c);
-    *s = c.s;
-    return c.least - m->margin;
-}
-
 typedef struct scope_work {
     const reach_study *how;
     const reach_scope *scope;
     inverse *inverse;
     scope_state *state;
-    margin_room room;
+    scope_room room;
+    room_probe probe; // of that
     search_options options;
     int first; // target of the first item
 } scope_work;
@@ -55,7 +40,7 @@ static status measure_pose(const scope_work *w, reach_answer *a)
 {
     status st = OK;
     clearance c = {0};
-    scope_room fine = w->room.inside;
+    scope_room fine = w->room;
     fine.tolerance *= finer;
     TRY(scope_bend(w->state, a->q));
     scope_clearance(&fine, w->state, a->q, &c);
@@ -73,12 +58,11 @@ static status search_target(const scope_work *w, vec3 target, reach_answer *a)
 {
     status st = OK;
     search_answer found;
-    const room_probe probe = {.at = room_left, .context = (void *)&w->room};
-    TRY(search_solve(w->inverse, w->state, target, &probe, &w->options, &found));
+    TRY(search_solve(w->inverse, w->state, target, &w->probe, &w->options, &found));
     a->verdict = found.verdict;
     memcpy(a->q, found.pose.q, sizeof a->q);
     a->miss = found.pose.miss;
-    a->bound = found.bound + w->room.margin;
+    a->bound = found.bound + w->room.leave;
     a->joint = found.joint;
     a->looks = found.looks;
     a->starts = found.starts;
@@ -135,10 +119,12 @@ static status make_work(const reach_study *how, const reach_scope *s, scope_work
     *w = (scope_work){.how = how, .scope = s, .options = search_options_default()};
     w->options.tolerance = r->tolerance + skin;
     w->options.resolution = resolution;
-    w->room = (margin_room){
-        .inside = {how->scene->tree, resolution, how->scene->free},
-        .margin = r->clearance + resolution,
-    };
+    // what a probe may overlook is left too, so that a pose is reached for sure
+    w->room = (scope_room){.tree = how->scene->tree,
+                           .tolerance = resolution,
+                           .free_entry = how->scene->free,
+                           .leave = r->clearance + resolution};
+    w->probe = scope_room_probe(&w->room);
     TRY(scope_state_make(&s->scope, &how->scene->entry, &w->state));
     TRY(inverse_make(&s->scope, &w->inverse));
 

@@ -4,7 +4,7 @@
 typedef struct scope_body {
     scope_state *state;
     pose base, entry;
-    double free_entry;
+    double free_entry, leave;
 } scope_body;
 
 static vec3 body_point(const void *context, double s)
@@ -23,13 +23,14 @@ static double channel_room(const void *context, vec3 p)
     const scope_body *b = context;
     const vec3 x = mat3_tmul_vec(b->entry.R, vec3_sub(p, b->entry.p));
     const double beyond = fmax(x.a[2] - b->free_entry, 0);
-    return SCOPE_CHANNEL_PLAY - hypot(hypot(x.a[0], x.a[1]), beyond);
+    return b->leave + SCOPE_CHANNEL_PLAY - hypot(hypot(x.a[0], x.a[1]), beyond);
 }
 
 static void roughly(const scope_room *room, scope_state *state, const double *q,
                     const clearance_wish *wish, clearance *out)
 {
-    const scope_body body = {state, scope_base(state, q), scope_entry(state), room->free_entry};
+    const scope_body body = {state, scope_base(state, q), scope_entry(state), room->free_entry,
+                             room->leave};
     const double length = scope_of(state)->length;
     // the shaft is on the line, where the channel has room for it
     const body_curve curve = {.at = body_point,
@@ -49,10 +50,11 @@ void scope_clearance(const scope_room *room, scope_state *state, const double *q
 
 static double room_at(void *context, scope_state *state, const double *q, double *s)
 {
+    const scope_room *room = context;
     clearance c = {0};
-    scope_clearance(context, state, q, &c);
+    scope_clearance(room, state, q, &c);
     *s = c.s;
-    return c.least;
+    return c.least - room->leave;
 }
 
 static double rough_room(void *context, scope_state *state, const double *q,
@@ -62,9 +64,10 @@ static double rough_room(void *context, scope_state *state, const double *q,
     clearance_wish w = *wish;
     clearance c = {0};
     w.tolerance = fmax(w.tolerance, room->tolerance);
+    w.below += room->leave;
     roughly(room, state, q, &w, &c);
     *s = c.s;
-    return c.least;
+    return c.least - room->leave;
 }
 
 room_probe scope_room_probe(scope_room *room)

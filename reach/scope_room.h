@@ -9,10 +9,12 @@ typedef struct scope_room {
     const distance_tree *tree;
     double tolerance;  // of the clearance, from above [m]
     double free_entry; // a channel about the line leads so far, through tissue if need be [m]
+    double leave;      // to be left beside the body, which the channel leaves too: a probe counts
+                       // what is more than that [m]
 } scope_room;
 
-// Room that the channel leaves about the scope: there a body is off the line by no more than this.
-// A scope bends behind it, or so little before it [m].                 docs/theory.md (10.14)
+// Room more than that which the channel leaves about the scope: there a body is off the line by no
+// more than this. A scope bends behind it, or so little before it [m]. docs/theory.md (10.14)
 #define SCOPE_CHANNEL_PLAY 1e-4
 
 // After scope_bend: how much room the body has at q, and where it is least.

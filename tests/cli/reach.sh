@@ -121,29 +121,30 @@ if long[4]["clearance_m"] > -0.3e-3 or long[4]["clearance_bound_m"] < -0.31e-3: 
 if not long[4]["proved"]: sys.exit("wall: not proved")
 if not 0 <= long[3]["clearance_m"] <= 0.6e-3: sys.exit("deep: more room than there is")
 near(short[3]["miss_m"], 1.5e-3, 1e-9, "short of deep")
-if short[3]["limit_joint"] != 0: sys.exit("short: not limited by its insertion")
+if short[3]["limit_joint"] != "insertion": sys.exit("short: not limited by its insertion")
 
 s, other = read("bent"), read("file")
-rho, z = [4e-3, 6e-3, 8e-3], [20e-3, 22e-3, 18e-3]
+target = [(4e-3, 0, 20e-3), (0, -6e-3, 22e-3)]
 L, ro, ri, r = 12e-3, 1.4e-3, 1e-3, 1.2e-3
 EI, EA = 1e6 * math.pi / 4 * (ro**4 - ri**4), 1e6 * math.pi * (ro**2 - ri**2)
+def check_tip(i, answer, length, bend):
+    rho, turn = (1 - math.cos(bend)) * length / bend, answer["pose"]["turn_rad"]
+    z = -20e-3 + answer["pose"]["insertion_m"] + math.sin(bend) * length / bend
+    miss = math.dist((rho * math.cos(turn), rho * math.sin(turn), z), target[i])
+    near(miss, answer["miss_m"], 1e-7, "where the tip is")
+    if answer["verdict"] != "reached" or miss > 0.2e-3: sys.exit(f"{answer['target']}: {answer['verdict']}")
 for i in range(2):
     a = s["arc"]["answers"][i]
-    bend = a["pose"]["bend_rad"]
-    if a["verdict"] != "reached": sys.exit(f"arc {i}: {a['verdict']}")
-    near((1 - math.cos(bend)) * L / bend, rho[i], 1e-7, "arc")
-    near(-20e-3 + a["pose"]["insertion_m"] + math.sin(bend) * L / bend, z[i], 1e-7, "arc z")
+    check_tip(i, a, L, a["pose"]["bend_rad"])
     a = s["rod"]["answers"][i]
     T = a["pose"]["tensions_N"][0]
-    bend, length = T * r * L / EI, L * (1 - T / EA)
-    if a["verdict"] != "reached": sys.exit(f"rod {i}: {a['verdict']}")
-    near((1 - math.cos(bend)) * length / bend, rho[i], 1e-7, "rod")
-    near(a["strain"], max(T * r * ro / EI + T / EA, 0), 1e-3 * a["strain"], "strain")
+    check_tip(i, a, L * (1 - T / EA), T * r * L / EI)
+    near(a["strain"], T * r * ro / EI + T / EA, 1e-3 * a["strain"], "strain")
     for b in s["stiffer"]["answers"][i], other["stiffer"]["answers"][i]:
         near(b["pose"]["tensions_N"][0], 2 * T, 1e-6 * T, "twice as stiff")
 c = s["arc"]["answers"][2]
 near(c["miss_m"], 8e-3 - (1 - math.cos(80 * math.pi / 180)) * L / (80 * math.pi / 180), 1e-7, "past the arc's bend")
-if c["verdict"] != "joint_limit" or c["limit_joint"] != 2: sys.exit("arc: not limited by its bend")
+if c["verdict"] != "joint_limit" or c["limit_joint"] != "bend": sys.exit("arc: not limited by its bend")
 high = s["limited"]["joints"][2]["high"]
 near(high * r * ro / EI + high / EA, 0.12, 1e-4, "the strain that limits")
 END
