@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-enum { VTK_TRIANGLE = 5, VTK_QUAD = 9, VTK_HEXAHEDRON = 12, VTK_WEDGE = 13 };
+enum { VTK_LINE = 3, VTK_TRIANGLE = 5, VTK_QUAD = 9, VTK_HEXAHEDRON = 12, VTK_WEDGE = 13 };
 
 static void add_cell(cut *c, const int *corner)
 {
@@ -20,6 +20,14 @@ static void cut_quad(int p, cut *c)
             const int a = i + (p + 1) * j;
             add_cell(c, (const int[]){a, a + 1, a + p + 2, a + p + 1});
         }
+    }
+}
+
+static void cut_line(int p, cut *c)
+{
+    c->ncorner = 2;
+    for (int i = 0; i < p; i++) {
+        add_cell(c, (const int[]){i, i + 1});
     }
 }
 
@@ -60,6 +68,11 @@ static void cut_layers(const cut *plane, int nplane, int p, cut *c)
 status cut_element(shape shape, int order, int layers, cut *out)
 {
     cut plane = {.type = shape == SHAPE_TRIANGLE ? VTK_TRIANGLE : VTK_QUAD};
+    if (shape == SHAPE_LINE && layers == 0) {
+        *out = (cut){.type = VTK_LINE};
+        cut_line(order, out);
+        return OK;
+    }
     if (shape != SHAPE_TRIANGLE && shape != SHAPE_QUAD) {
         return status_fail(ERR_BUG, "a grid cannot hold %s elements", shape_name(shape));
     }

@@ -18,6 +18,6 @@ typedef struct cut {
     int corner[CUT_MAX_CELLS][CUT_MAX_CORNERS];
 } cut;
 
-// A plane element of an order, with `layers` the order of the brick on it along s; 0: itself.
-// ERR_BUG where the shape is not plane.
+// A plane element of an order, with `layers` the order of the brick on it along s; 0: itself, which
+// may also be a line. ERR_BUG for another shape.
 status cut_element(shape shape, int order, int layers, cut *out);

@@ -189,7 +189,7 @@ static status reached_words(bytes *page, const reach_scope_result *s, const reac
     for (int i = SCOPE_BEND; i < s->njoint; i++) {
         char name[REACH_NAME];
         PAGE("%s%s %s %s", i > SCOPE_BEND ? ", " : "", reach_joint_words(s, i, name, sizeof name),
-             number_fixed(s->arc ? degrees * a->q[i] : a->q[i], s->arc ? 1 : 3).text,
+             s->arc ? number_fixed(degrees * a->q[i], 1).text : number_digits(a->q[i], 3).text,
              s->arc ? "deg" : "N");
     }
     PAGE("</small>");

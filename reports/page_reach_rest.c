@@ -46,12 +46,15 @@ static status thorough_row(bytes *page, const reach_result *r, const reach_scope
     const tally t = tally_of(r, s);
     PAGE("<tr><td class=\"text\">");
     TRY(page_escaped(page, s->name));
-    PAGE("</td><td>%d</td><td>%d</td><td>%d</td><td>%d</td><td>%s</td><td>%d</td><td>%d</td>"
-         "<td>%s</td><td>%s</td></tr>\n",
-         t.missed, t.proved, t.whole, t.searched,
-         t.bound >= 0 ? number_digits(1e3 * t.bound, 2).text : "–", t.looks, t.starts,
-         number_digits(1e3 * s->spacing, 2).text,
-         s->state ? number_digits(1e3 * s->map_spacing, 2).text : "–");
+    PAGE("</td><td>%d</td><td>%d</td><td>%d</td><td>%d<small>%s%s</small></td><td>%d, %d</td>"
+         "<td>%s",
+         t.missed, t.proved, t.whole, t.searched, t.bound >= 0 ? "bound left, mm: " : "",
+         t.bound >= 0 ? number_digits(1e3 * t.bound, 2).text : "", t.looks, t.starts,
+         number_digits(1e3 * s->spacing, 2).text);
+    if (s->state) {
+        PAGE("<small>of the map: %s</small>", number_digits(1e3 * s->map_spacing, 2).text);
+    }
+    PAGE("</td></tr>\n");
 
 done:
     return st;
@@ -64,20 +67,18 @@ status page_reach_thoroughness(bytes *page, const reach_result *r)
         return OK;
     }
     PAGE("<h3>How thorough “not reached” is</h3>\n<div class=\"scroll\"><table>\n<thead><tr><th "
-         "class=\"text\">scope</th><th>targets not reached</th><th>proved<small>by a bound on the "
-         "clearance</small></th><th>every bend looked at<small>the tip does not come "
-         "near</small></th><th>searched only</th><th>largest bound left<small>mm</small></th>"
-         "<th>looks<small>at most, per target</small></th><th>starts<small>at most</small></th>"
-         "<th>tips apart<small>mm</small></th><th>the map's tips apart<small>mm</small></th></tr>"
-         "</thead>\n<tbody>\n");
+         "class=\"text\">scope</th><th>not reached<small>targets</small></th><th>proved<small>by "
+         "a bound</small></th><th>tip not near<small>every bend looked at</small></th><th>searched "
+         "only</th><th>looks, starts<small>at most, per target</small></th><th>tips "
+         "apart<small>mm</small></th></tr></thead>\n<tbody>\n");
     for (int i = 0; i < r->nscope; i++) {
         TRY(thorough_row(page, r, &r->scope[i]));
     }
-    PAGE("</tbody></table></div>\n<p class=\"note\">Proved: joints are cut into boxes, and in none "
-         "whose tips come near can the body have room. Every bend looked at: the tip's curve is "
-         "followed by cubics through poses as far apart as told. Searched only: no pose was found "
-         "from the starts told, or none has more room than the bound left, down to steps of %s mm; "
-         "that is no proof.%s</p>\n",
+    PAGE("</tbody></table></div>\n<p class=\"note\">Proved: the joints are cut into boxes, and in "
+         "none whose tips come near can the body have the clearance asked for. Every bend looked "
+         "at: the tip's curve is followed by cubics through poses as far apart as told. Searched "
+         "only: no pose was found from the starts told, or none has more clearance than the bound "
+         "left, in steps down to %s mm; that is no proof.%s</p>\n",
          number_short(1e3 * r->resolution, 3).text,
          r->path == REACH_INSERTION ? " No way in: the pose is there, and ways to it were searched."
                                     : "");

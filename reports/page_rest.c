@@ -143,6 +143,11 @@ status page_assumptions(bytes *page, const run_result *r)
              "prismatic: couplings of stretch and twist that a turning pattern has are not in "
              "K.</li>\n");
     }
+    if (r->reach.there) {
+        PAGE("<li>Tissue is rigid and is not touched; a scope's shaft stays straight on its line, "
+             "and its tip bends under its tendons alone, without gravity, friction of the joints "
+             "or fluid.</li>\n");
+    }
     if (r->has_segment) {
         PAGE("<li>The 3D segment is linear: displacements are taken as small.</li>\n");
     }

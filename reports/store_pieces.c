@@ -1,7 +1,9 @@
 // reports/store_pieces.c
-// What ParaView sees: the section, the section under each of its wrenches, the deformed segments.
+// What ParaView sees: the section, the section under each of its wrenches, the deformed segments,
+// the wall and the bodies of a reach study.
 #include "base/memory.h"
 #include "reports/store_parts.h"
+#include "reports/store_reach_grid.h"
 #include "section/extremes.h"
 
 #include <math.h>
@@ -12,13 +14,14 @@ enum { DISPLACEMENT, STRAIN, STRESS, MISES, NFIELD };
 
 // of one piece, made here
 typedef struct piece_fields {
-    store_field field[NFIELD];
+    store_field field[NFIELD + REACH_FIELDS]; // a study's behind the others
     store_layers layers;
     double *own[NFIELD], *xyz;
 } piece_fields;
 
 typedef struct pieces {
-    int n, nfield; // nfield 1: displacements only
+    int n, nfield; // nfield 1: displacements only; a study's fields not counted
+    reach_pieces reach;
     store_grid_piece *piece;
     piece_fields *fields;
     double *zero; // displacement of what does not move
@@ -35,6 +38,7 @@ static void pieces_free(pieces *p)
     free(p->piece);
     free(p->fields);
     free(p->zero);
+    reach_pieces_free(&p->reach);
 }
 
 static const section_answers *with_fields(const run_result *r)
@@ -55,10 +59,16 @@ static status pieces_make(const run_result *r, pieces *out)
     const section_answers *a = with_fields(r);
     const int nwrench = a ? a->nload : 0, nsegment = r->has_segment ? r->segment.nload : 0;
     const int section = r->section_mesh.nnode, split = a ? a->nodes.nnode : 0;
+    TRY(reach_pieces_make(&r->reach, &out->reach));
+    int most = section > split ? section : split;
+    for (int i = 0; i < out->reach.npiece; i++) {
+        most = out->reach.mesh[i].nnode > most ? out->reach.mesh[i].nnode : most;
+    }
+    const size_t room = (size_t)(1 + nwrench + nsegment + out->reach.npiece);
     out->nfield = nwrench > 0 || has_stress(r) ? NFIELD : 1;
-    TRY(TAKE(out->piece, (size_t)(1 + nwrench + nsegment)));
-    TRY(TAKE(out->fields, (size_t)(1 + nwrench + nsegment)));
-    TRY(TAKE(out->zero, 3 * (size_t)(section > split ? section : split)));
+    TRY(TAKE(out->piece, room));
+    TRY(TAKE(out->fields, room));
+    TRY(TAKE(out->zero, 3 * (size_t)most));
 
 done:
     return st;
@@ -73,7 +83,11 @@ static status add_piece(store *s, pieces *p, const mesh *m, const char *name)
     f->field[STRAIN] = (store_field){"strain", 6, NULL};
     f->field[STRESS] = (store_field){"stress_Pa", 6, NULL};
     f->field[MISES] = (store_field){"von_mises_Pa", 1, NULL};
-    p->piece[p->n] = (store_grid_piece){.mesh = m, .nfield = p->nfield, .field = f->field};
+    for (int k = 0; k < p->reach.nfield; k++) {
+        f->field[p->nfield + k] = (store_field){p->reach.field[k], 1, NULL};
+    }
+    p->piece[p->n] =
+        (store_grid_piece){.mesh = m, .nfield = p->nfield + p->reach.nfield, .field = f->field};
     (void)snprintf(part, sizeof part, "part/%d", p->n);
     p->n++;
     return store_text(s, part, name, strlen(name));
@@ -203,6 +217,22 @@ done:
     return st;
 }
 
+// --- a reach study
+
+static status add_reach(store *s, pieces *p)
+{
+    status st = OK;
+    for (int i = 0; i < p->reach.npiece; i++) {
+        TRY(add_piece(s, p, &p->reach.mesh[i], p->reach.name[i]));
+        for (int k = 0; k < p->reach.nfield; k++) {
+            p->fields[p->n - 1].field[p->nfield + k].data = p->reach.data[i][k];
+        }
+    }
+
+done:
+    return st;
+}
+
 static status add_all(store *s, const run_result *r, pieces *p)
 {
     status st = OK;
@@ -219,6 +249,7 @@ static status add_all(store *s, const run_result *r, pieces *p)
     for (int i = 0; a && i < a->nload; i++) {
         TRY(add_wrench(s, p, &a->nodes, &a->load[i]));
     }
+    TRY(add_reach(s, p));
 
 done:
     return st;
