@@ -147,6 +147,7 @@ status chain_run(const command *cmd, const case_data *c, chain_parts parts, run_
         TRY(compare_all(cmd, c, &r));
     }
     TRY(parts.reach ? chain_reach(cmd, c, &r) : OK);
+    TRY(parts.design ? chain_design(cmd, c, &r) : OK);
     versions_loaded(r.versions, sizeof r.versions);
     *out = r;
     r = (run_result){0};

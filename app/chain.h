@@ -10,6 +10,7 @@
 typedef struct chain_parts {
     bool section, rod, fit, segment, compare, sensitivity;
     bool reach;    // which targets scopes reach; no design search
+    bool design;   // the search, and what its design and the case's scopes reach
     bool measured; // the rod against measured shapes
     bool pictures; // what only figures and the store need: the section's mesh, displacements
     bool answers;  // mass, kern, warping constant of the sections, stresses under their wrenches
@@ -46,6 +47,16 @@ status chain_segment(const case_data *c, bool displacements, run_result *out);
 
 // Which targets the case's scopes reach, and its map. With the section where that is solved.
 status chain_reach(const command *cmd, const case_data *c, run_result *out);
+// One scope more: another one's rod with more of its case's keys set, under a name of its own.
+typedef struct reach_extra {
+    int scope;
+    const struct settings *more;
+    char name[REACH_NAME];
+} reach_extra;
+status chain_reach_with(const command *cmd, const case_data *c, const reach_extra *extra,
+                        run_result *out);
+// The design that reaches most; nothing is told but on the first rank.
+status chain_design(const command *cmd, const case_data *c, run_result *out);
 
 // The plane mesh of the section at arclength s: `order` and `size` of the elements, 0 for the
 // case's own.

@@ -12,7 +12,8 @@ static void file_name(const char *path, char *name, size_t room)
     (void)snprintf(name, room, "%s", slash ? slash + 1 : path);
 }
 
-static status tell_scene(const case_data *c, const reach_scene *scene, reach_result *out)
+static status tell_scene(const case_data *c, const reach_scene *scene, int nscope,
+                         reach_result *out)
 {
     status st = OK;
     const reach_case *r = &c->file.reach;
@@ -20,7 +21,7 @@ static status tell_scene(const case_data *c, const reach_scene *scene, reach_res
     const reach_result sizes = {.nvertex = s->nvertex,
                                 .ntriangle = s->ntriangle,
                                 .ntarget = scene->ntarget,
-                                .nscope = r->scopes.count};
+                                .nscope = nscope};
     TRY(reach_result_make(&sizes, out));
     memcpy(out->vertex, s->vertex, (size_t)s->nvertex * sizeof *s->vertex);
     memcpy(out->triangle, s->triangle, (size_t)s->ntriangle * sizeof *s->triangle);
@@ -47,11 +48,16 @@ done:
     return st;
 }
 
-static status run_scope(const reach_study *how, variation *base, int i, reach_scope_result *out)
+// extra NULL: scope i of the case
+static status run_scope(const reach_study *how, variation *base, int i, const reach_extra *extra,
+                        reach_scope_result *out)
 {
     status st = OK;
     reach_scope s;
-    TRY(reach_scope_make(how->c, base, i, NULL, &s));
+    TRY(reach_scope_make(how->c, base, i, extra ? extra->more : NULL, &s));
+    if (extra) {
+        (void)snprintf(s.scope.name, sizeof s.scope.name, "%s", extra->name);
+    }
     st = reach_scene_fits(how->c, how->scene, s.scope.length);
     st = st != OK ? st : reach_study_scope(how, &s, out);
     reach_scope_free(&s);
@@ -61,25 +67,33 @@ done:
     return st;
 }
 
-status chain_reach(const command *cmd, const case_data *c, run_result *out)
+status chain_reach_with(const command *cmd, const case_data *c, const reach_extra *extra,
+                        run_result *out)
 {
     status st = OK;
     reach_scene scene = {0};
     variation base = {0};
+    const int n = c->file.reach.scopes.count;
     const reach_study how = {.c = c, .scene = &scene, .cmd = cmd, .bodies = true};
     if (c->file.reach.path == REACH_INSERTION || mark_given(c->file.reach.map.at)) {
         return config_fail(c->config, c->file.reach.at, "neither map nor way in is known here");
     }
     command_progress(cmd, "tissue and targets");
     TRY(reach_scene_open(c, &scene));
-    TRY(tell_scene(c, &scene, &out->reach));
+    TRY(tell_scene(c, &scene, n + (extra ? 1 : 0), &out->reach));
     TRY(reach_base_open(c, out->has_section ? &out->section : NULL, &base));
-    for (int i = 0; i < out->reach.nscope; i++) {
-        TRY(run_scope(&how, &base, i, &out->reach.scope[i]));
+    for (int i = 0; i < n; i++) {
+        TRY(run_scope(&how, &base, i, NULL, &out->reach.scope[i]));
     }
+    TRY(extra ? run_scope(&how, &base, extra->scope, extra, &out->reach.scope[n]) : OK);
 
 done:
     variation_free(&base);
     reach_scene_free(&scene);
     return st;
+}
+
+status chain_reach(const command *cmd, const case_data *c, run_result *out)
+{
+    return chain_reach_with(cmd, c, NULL, out);
 }

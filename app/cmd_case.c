@@ -6,6 +6,7 @@
 #include "app/chain.h"
 #include "app/command.h"
 #include "app/compare.h"
+#include "app/design_case.h"
 #include "app/measured_case.h"
 #include "app/print.h"
 #include "app/reach_case.h"
@@ -138,6 +139,12 @@ static chain_parts parts_reach(const case_data *c)
     return (chain_parts){.reach = true};
 }
 
+static chain_parts parts_design(const case_data *c)
+{
+    (void)c;
+    return (chain_parts){.design = true};
+}
+
 status cmd_run(command *cmd)
 {
     return do_study(cmd, &(study){NULL, chain_all_parts, document_run, NULL});
@@ -180,4 +187,9 @@ status cmd_compare(command *cmd)
 status cmd_reach(command *cmd)
 {
     return do_study(cmd, &(study){case_need_reach, parts_reach, result_json_reach, print_reach});
+}
+
+status cmd_design(command *cmd)
+{
+    return do_study(cmd, &(study){case_need_design, parts_design, result_json_reach, print_design});
 }

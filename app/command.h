@@ -70,6 +70,7 @@ status cmd_compare(command *cmd);
 status cmd_sensitivity(command *cmd);
 status cmd_fit(command *cmd);
 status cmd_reach(command *cmd);
+status cmd_design(command *cmd);
 status cmd_report(command *cmd);
 status cmd_check(command *cmd);
 status cmd_material(command *cmd);

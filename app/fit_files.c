@@ -67,6 +67,13 @@ status fit_files(const case_data *c, settings *out)
         (void)snprintf(key, sizeof key, "rod.tendons.%d.path_csv", i);
         TRY(add_file(c, key, tendon[i].path_csv.text, out));
     }
+    const scope_case *scope = c->file.reach.scopes.items;
+    for (int i = 0; i < c->file.reach.scopes.count; i++) {
+        (void)snprintf(key, sizeof key, "reach.scopes.%d.rod.file", i);
+        TRY(add_file(c, key, scope[i].rod.file.text, out));
+    }
+    TRY(add_file(c, "reach.tissue", c->file.reach.tissue.text, out));
+    TRY(add_file(c, "reach.targets", c->file.reach.targets.text, out));
 
 done:
     return st;

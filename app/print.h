@@ -20,6 +20,7 @@ void print_fit(const run_result *r);
 
 // Which targets the scopes reach, one table each, and how they compare.
 void print_reach(const run_result *r);
+void print_design(const run_result *r);
 
 // Of every material the largest strain among the rod's solutions, and where.
 void print_strains(const run_result *r);

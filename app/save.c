@@ -84,8 +84,9 @@ static status write_contents(const outdir *d, const contents *what)
     if (what->result) {
         TRY(write_store(what->result, path));
         TRY(still_wanted());
-        const char *fitted = what->result->fitted_case;
+        const char *fitted = what->result->fitted_case, *designed = what->result->designed_case;
         TRY(fitted ? write_text(d, "fitted.yaml", fitted, strlen(fitted)) : OK);
+        TRY(designed ? write_text(d, "designed.yaml", designed, strlen(designed)) : OK);
         TRY(write_text(d, "case.yaml", what->result->case_text, what->result->case_length));
     }
     if (what->report) {

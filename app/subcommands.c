@@ -49,6 +49,13 @@ static const subcommand list[] = {
      "the pose, the body's clearance, and how thorough the search was; `map` tells which share of\n"
      "the surface is reached. Lengths in the surface's file are in `tissue_unit`.\n",
      "stiffaxis reach endoscope.yaml --out results/endoscope"},
+    {"design", "CASE", cmd_design, "the rod whose scope reaches most",
+     "The case's `reach.design`: numbers in bounds that stand in the expressions of some keys, by\n"
+     "several searches side by side on all cores; under mpirun the ranks share them out. The same\n"
+     "seed gives the same design. With --out DIR: designed.yaml, the case with the design put in,\n"
+     "and every design that was looked at as a line of DIR.design-log: the same command goes on\n"
+     "from there after an interrupt, or with more reach.design.evaluations. It may be removed.\n",
+     "stiffaxis design endoscope.yaml --out results/design"},
     {"report", "RESULT", cmd_report, "figures and the page from a stored result",
      "RESULT is a result.hdf or the directory that holds it. Nothing is recomputed. Without --out\n"
      "the directory stands beside RESULT: results/fig4 and results/fig4/result.hdf give\n"

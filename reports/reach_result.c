@@ -56,7 +56,7 @@ static void free_scopes(reach_result *r)
     free(r->scope);
 }
 
-static void free_design(reach_design_result *d)
+void reach_design_free(reach_design_result *d)
 {
     for (int i = 0; d->row && i < d->nrow; i++) {
         free(d->row[i].value);
@@ -67,6 +67,7 @@ static void free_design(reach_design_result *d)
     free(d->lower);
     free(d->upper);
     free(d->start);
+    *d = (reach_design_result){0};
 }
 
 void reach_result_free(reach_result *r)
@@ -78,7 +79,7 @@ void reach_result_free(reach_result *r)
     free(r->target_depth);
     free(r->map_point);
     free_scopes(r);
-    free_design(&r->design);
+    reach_design_free(&r->design);
     *r = (reach_result){0};
 }
 
@@ -115,7 +116,7 @@ status reach_design_make(int nparameter, int nrow, reach_design_result *out)
     d = (reach_design_result){0};
 
 done:
-    free_design(&d);
+    reach_design_free(&d);
     return st;
 }
 

@@ -125,6 +125,7 @@ status reach_design_make(int nparameter, int nrow, reach_design_result *out);
 status reach_answer_room(reach_answer *a, int npoint, int npath);
 status reach_answer_way(reach_answer *a, int nway);
 void reach_result_free(reach_result *r);
+void reach_design_free(reach_design_result *d);
 
 const char *reach_verdict_words(int verdict); // "reached", "out of reach", ...
 

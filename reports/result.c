@@ -134,6 +134,7 @@ void run_result_free(run_result *r)
     fit_result_free(&r->fit);
     reach_result_free(&r->reach);
     free(r->fitted_case);
+    free(r->designed_case);
     *r = (run_result){0};
 }
 

@@ -171,8 +171,9 @@ typedef struct run_result {
     bool has_sensitivity;
     sensitivity_result sensitivity;
     fit_result fit;
-    reach_result reach; // where reach.there
-    char *fitted_case;  // with the fitted values put in, NUL at its end; not in the store
+    reach_result reach;  // where reach.there
+    char *fitted_case;   // with the fitted values put in, NUL at its end; not in the store
+    char *designed_case; // the same with the design that was found
 
     char **load_name; // [segment.nload], owned, where a store was read; NULL where the case owns
                       // the loads' names
