@@ -59,7 +59,7 @@ row() {
 reach_full() {
     full_bad=0
     for program in "$bin"/verify_inverse "$bin"/verify_distance "$bin"/verify_search; do
-        if "$program" full; then
+        if STIFFAXIS_LONG=1 "$program"; then
             printf 'PASS  %s, every case\n' "${program##*/verify_}"
         else
             printf 'FAIL  %s\n' "${program##*/verify_}"

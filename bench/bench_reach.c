@@ -6,6 +6,7 @@
 #include "tests/unit/reach/scopes.h"
 
 #include "reach/inverse.h"
+#include "reach/reach_map.h"
 #include "reach/scope_room.h"
 
 enum { ROUNDS = 5, TARGETS = 400 };
@@ -189,6 +190,46 @@ done:
     return st;
 }
 
+// --- the map
+
+enum { MAP_POINTS = 10000 };
+
+static status map_all(const char *name, const scope *s, const distance_tree *tree, int *missed)
+{
+    status st = OK;
+    scope_state *state = NULL;
+    inverse *inv = NULL;
+    double(*point)[3] = NULL;
+    int count[3] = {0};
+    reach_map_answer a = {0};
+    const pose entry = pose_identity();
+    scope_room in = {.tree = tree, .tolerance = 5e-5};
+    const room_probe room = scope_room_probe(&in);
+    reach_map_options options = reach_map_options_default();
+    options.near = s->radius + 1e-3; // the skin within 1 mm
+    const double start = bench_cpu_ms();
+    TRY(TAKE(point, MAP_POINTS));
+    TRY(TAKE(a.state, MAP_POINTS));
+    TRY(surface_samples(distance_surface(tree), MAP_POINTS, 1, point));
+    TRY(scope_state_make(s, &entry, &state));
+    TRY(inverse_make(s, &inv));
+    TRY(reach_map(inv, state, &room, MAP_POINTS, (const double(*)[3])point, &options, &a));
+    for (int i = 0; i < MAP_POINTS; i++) {
+        count[a.state[i]]++;
+    }
+    const double seconds = 1e-3 * (bench_cpu_ms() - start);
+    printf("%-22s %d points: %d reached, %d not, %d undecided; %d looks, tips within %.2g mm\n",
+           name, MAP_POINTS, count[1], count[0], count[2], a.looks, 1e3 * a.spacing);
+    *missed |= bench_target("map of 10,000 points", seconds, 30, "s");
+
+done:
+    inverse_free(inv);
+    scope_state_free(state);
+    free(a.state);
+    free(point);
+    return st;
+}
+
 static status searches(int *missed)
 {
     status st = OK;
@@ -201,9 +242,13 @@ static status searches(int *missed)
     printf("\nin a surface of %d triangles, map included\n", s.ntriangle);
     TRY(search_all("constant curvature", &m.scope, tree, &ms));
     *missed |= bench_target("20 targets", 1e-3 * ms, 2, "s");
+    TRY(map_all("constant curvature", &m.scope, tree, missed));
     for (int n = 1; n <= 2; n++) {
         neuro_scope(n, usual_plan, &m);
         st = search_all(n == 1 ? "neuro, 1 tendon" : "neuro, 2 tendons", &m.scope, tree, &ms);
+        st = st == OK
+                 ? map_all(n == 1 ? "neuro, 1 tendon" : "neuro, 2 tendons", &m.scope, tree, missed)
+                 : st;
         free_scope(&m);
         TRY(st);
         *missed |= bench_target("20 targets", 1e-3 * ms, 2, "s");

@@ -3,67 +3,14 @@
 #include "reach/search_inside.h"
 
 #include "base/memory.h"
+#include "reach/joint_boxes.h"
 
-enum { JOINTS = SCOPE_BEND + 1, MOST_PIECES = 4000 };
+enum { MOST_PIECES = 4000 };
 
 static const double pi = 3.14159265358979323846;
 
 // Once the target is reached, so many looks more are spent on a pose with more room.
 static const int looks_after = 30;
-
-typedef struct box {
-    double low[JOINTS], high[JOINTS];
-    double bound;  // no pose in it has more room
-    double motion; // no point of the body moves farther between its middle and another pose of it
-    double s;      // where the room was least
-} box;
-
-typedef struct heap {
-    box *box; // the largest bound first
-    int n, most;
-} heap;
-
-static void push(heap *h, const box *b)
-{
-    int i = h->n++;
-    for (; i > 0 && h->box[(i - 1) / 2].bound < b->bound; i = (i - 1) / 2) {
-        h->box[i] = h->box[(i - 1) / 2];
-    }
-    h->box[i] = *b;
-}
-
-static box pop(heap *h)
-{
-    const box top = h->box[0], last = h->box[--h->n];
-    int i = 0;
-    for (int child = 1; child < h->n; child = 2 * i + 1) {
-        child += child + 1 < h->n && h->box[child + 1].bound > h->box[child].bound;
-        if (!(h->box[child].bound > last.bound)) {
-            break;
-        }
-        h->box[i] = h->box[child];
-        i = child;
-    }
-    h->box[i] = last;
-    return top;
-}
-
-// how far the body's points move between the middle and the rest, by each joint   theory (10.7)
-static void motions(const bend_sweep *w, const box *b, double part[JOINTS], double *tip)
-{
-    const double u = (b->low[SCOPE_BEND] + b->high[SCOPE_BEND]) / 2;
-    const bend_node a = bend_sweep_at(w, b->low[SCOPE_BEND]), m = bend_sweep_at(w, u),
-                    z = bend_sweep_at(w, b->high[SCOPE_BEND]);
-    const double turn = (b->high[SCOPE_TURN] - b->low[SCOPE_TURN]) / 2;
-    const double bent = fmax(m.moved - a.moved, z.moved - m.moved);
-    const double tip_bent = fmax(m.tip_moved - a.tip_moved, z.tip_moved - m.tip_moved);
-    part[SCOPE_INSERTION] = (b->high[SCOPE_INSERTION] - b->low[SCOPE_INSERTION]) / 2;
-    part[SCOPE_TURN] = turn * (m.farthest + bent);
-    part[SCOPE_BEND] = bent;
-    // along the line and about it are at right angles
-    *tip =
-        hypot(part[SCOPE_INSERTION], turn * (hypot(m.tip.a[0], m.tip.a[1]) + tip_bent)) + tip_bent;
-}
 
 // how far the tip is from the target, without a solve
 static double miss_of(cylinder_point c, vec3 bent, const double *q)
@@ -103,14 +50,14 @@ static void towards(const search *s, cylinder_point c, vec3 bent, double *q)
 }
 
 // bounds the room in a box and keeps it where the tip may be near
-static status consider(search *s, cylinder_point c, heap *h, box *b)
+static status consider(search *s, cylinder_point c, box_heap *h, joint_box *b)
 {
     status st = OK;
     const bend_sweep *w = &s->inv->sweep;
-    double part[JOINTS], tip_motion, room;
+    double part[BOX_JOINTS], tip_motion, room;
     inverse_pose pose = {{0}, 0};
-    motions(w, b, part, &tip_motion);
-    for (int j = 0; j < JOINTS; j++) {
+    box_motions(w, b, part, &tip_motion);
+    for (int j = 0; j < BOX_JOINTS; j++) {
         pose.q[j] = (b->low[j] + b->high[j]) / 2;
     }
     const bend_node m = bend_sweep_at(w, pose.q[SCOPE_BEND]);
@@ -119,7 +66,7 @@ static status consider(search *s, cylinder_point c, heap *h, box *b)
     }
     const double middle[2] = {pose.q[0], pose.q[1]};
     towards(s, c, m.tip, pose.q);
-    b->motion = hypot(part[SCOPE_INSERTION], part[SCOPE_TURN]) + part[SCOPE_BEND];
+    b->motion = box_motion(part);
     const double shift =
         hypot(pose.q[SCOPE_INSERTION] - middle[0], (pose.q[SCOPE_TURN] - middle[1]) * m.farthest);
     // less than this is as good as none
@@ -138,7 +85,7 @@ static status consider(search *s, cylinder_point c, heap *h, box *b)
         b->bound = fmin(b->bound, room + b->motion);
     }
     b->s = wish.first;
-    push(h, b);
+    box_push(h, b);
 
 done:
     return st;
@@ -146,19 +93,8 @@ done:
 
 // --- where the tip may be near
 
-// the turn's limits, one full turn of them at most: more are the same poses again
-static void one_turn(const scope *s, double limit[2])
-{
-    limit[0] = s->low[SCOPE_TURN];
-    limit[1] = s->high[SCOPE_TURN];
-    if (limit[1] - limit[0] > 2 * pi) {
-        limit[0] = fmin(fmax(-pi, limit[0]), limit[1] - 2 * pi);
-        limit[1] = limit[0] + 2 * pi;
-    }
-}
-
 // the boxes of a piece of the bend: insertion and turn by the tip's ball around the target
-static status piece(search *s, cylinder_point c, heap *h, double from, double to)
+static status piece(search *s, cylinder_point c, box_heap *h, double from, double to)
 {
     status st = OK;
     const scope *sc = s->inv->scope;
@@ -168,7 +104,7 @@ static status piece(search *s, cylinder_point c, heap *h, double from, double to
         bend_sweep_at(&s->inv->sweep, to).tip_moved - bend_sweep_at(&s->inv->sweep, from).tip_moved;
     const double ball = s->options->tolerance + way + s->inv->sweep.error;
     const double rho = hypot(m.tip.a[0], m.tip.a[1]), z = c.z - m.tip.a[2];
-    box b = {.bound = INFINITY};
+    joint_box b = {.bound = INFINITY};
     b.low[SCOPE_BEND] = from;
     b.high[SCOPE_BEND] = to;
     b.low[SCOPE_INSERTION] = fmax(z - ball, sc->low[SCOPE_INSERTION]);
@@ -176,12 +112,12 @@ static status piece(search *s, cylinder_point c, heap *h, double from, double to
     if (fabs(rho - c.rho) > ball || b.low[SCOPE_INSERTION] > b.high[SCOPE_INSERTION]) {
         return OK;
     }
-    one_turn(sc, limit);
+    box_one_turn(sc, limit);
     const double half = c.rho > ball && rho > 0 ? asin(ball / c.rho) : pi;
     const double middle = c.angle - atan2(m.tip.a[1], m.tip.a[0]);
     const double first = middle + 2 * pi * floor((limit[0] - middle) / (2 * pi));
     for (double a = first; a - half <= limit[1]; a += 2 * pi) {
-        box part = b;
+        joint_box part = b;
         part.low[SCOPE_TURN] = fmax(a - half, limit[0]);
         part.high[SCOPE_TURN] = fmin(a + half, limit[1]);
         if (part.low[SCOPE_TURN] <= part.high[SCOPE_TURN] && h->n < h->most) {
@@ -194,7 +130,7 @@ done:
 }
 
 // the whole sweep, in pieces in which the tip moves by the tolerance at most
-static status pieces(search *s, cylinder_point c, heap *h)
+static status pieces(search *s, cylinder_point c, box_heap *h)
 {
     status st = OK;
     const bend_sweep *w = &s->inv->sweep;
@@ -213,26 +149,20 @@ done:
 
 // --- the search
 
-static status divide(search *s, cylinder_point c, heap *h, const box *b)
+static status divide(search *s, cylinder_point c, box_heap *h, const joint_box *b)
 {
     status st = OK;
-    double part[JOINTS], tip;
-    int widest = 0;
-    motions(&s->inv->sweep, b, part, &tip);
-    for (int j = 1; j < JOINTS; j++) {
-        widest = part[j] > part[widest] ? j : widest;
-    }
-    box left = *b, right = *b;
-    left.high[widest] = right.low[widest] = (b->low[widest] + b->high[widest]) / 2;
-    TRY(consider(s, c, h, &left));
-    TRY(consider(s, c, h, &right));
+    joint_box half[2];
+    box_halve(&s->inv->sweep, b, half);
+    TRY(consider(s, c, h, &half[0]));
+    TRY(consider(s, c, h, &half[1]));
 
 done:
     return st;
 }
 
 // whether the box of most promise decides the answer
-static bool decided(const search *s, const box *top, int since_reached)
+static bool decided(const search *s, const joint_box *top, int since_reached)
 {
     const double best = s->out->room;
     if (s->out->looks >= s->options->most_looks || top->motion <= s->options->resolution) {
@@ -247,13 +177,13 @@ status search_boxes(search *s)
     status st = OK;
     const cylinder_point c = cylinder_of(s->state, s->target);
     // every look pushes one box at most
-    heap h = {.most = 2 * s->options->most_looks + MOST_PIECES};
+    box_heap h = {.most = 2 * s->options->most_looks + MOST_PIECES};
     int reached_at = s->out->room >= 0 ? s->out->looks : -1;
     TRY(TAKE(h.box, (size_t)h.most + 2));
     TRY(pieces(s, c, &h));
     while (h.n > 0 && h.n < h.most &&
            !decided(s, &h.box[0], reached_at < 0 ? 0 : s->out->looks - reached_at)) {
-        const box b = pop(&h);
+        const joint_box b = box_pop(&h);
         TRY(divide(s, c, &h, &b));
         reached_at = reached_at < 0 && s->out->room >= 0 ? s->out->looks : reached_at;
     }

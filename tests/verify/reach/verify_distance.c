@@ -5,7 +5,6 @@
 
 #include "base/se3.h"
 
-#include "tests/campaign.h"
 #include "tests/surfaces.h"
 #include "tests/test.h"
 
@@ -226,9 +225,9 @@ static vec3 made_plate(vec3 u)
     return (vec3){{40e-3 * u.a[0], 30e-3 * u.a[1], 0.1e-6 * u.a[2] * (1 + top)}};
 }
 
-int main(int argc, char **argv)
+int main(void)
 {
-    const int points = campaign_is_full(argc, argv) ? POINTS : POINTS_OF_A_CHECK;
+    const int points = test_is_long() ? POINTS : POINTS_OF_A_CHECK;
     made_surface m = {0};
     scene c;
     made_ball(&m, 18, made_bumpy);

@@ -1,7 +1,6 @@
 // tests/verify/reach/verify_inverse.c
 // What a forward solve made is reached again; what cannot be reached is refused; constant curvature
 // in closed form is what a dense search finds.
-#include "tests/campaign.h"
 #include "tests/unit/reach/scopes.h"
 
 #include "reach/arc.h"
@@ -335,9 +334,9 @@ static void closed_form_is_the_dense_search(const campaign *size)
     answered(&a);
 }
 
-int main(int argc, char **argv)
+int main(void)
 {
-    const campaign *size = campaign_is_full(argc, argv) ? &full : &of_a_check;
+    const campaign *size = test_is_long() ? &full : &of_a_check;
     closed_form_is_the_dense_search(size);
     asked arc = {.size = size, .m = arc_scope()};
     whole("constant curvature", &arc);

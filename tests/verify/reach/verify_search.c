@@ -1,7 +1,6 @@
 // tests/verify/reach/verify_search.c
 // Whether a target is reached without touching, against dense brute force and against obstacles
 // whose free sets are known in closed form.
-#include "tests/campaign.h"
 #include "tests/unit/reach/scopes.h"
 
 #include "reach/search.h"
@@ -272,9 +271,9 @@ static void more_joints(void)
     free_scope(&m);
 }
 
-int main(int argc, char **argv)
+int main(void)
 {
-    const bool whole = campaign_is_full(argc, argv);
+    const bool whole = test_is_long();
     made_scope arc = arc_scope();
     toy_search t = {0};
     start(&arc.scope, &t);
