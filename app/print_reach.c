@@ -1,5 +1,6 @@
 // app/print_reach.c
 #include "app/print.h"
+#include "io/utf8.h"
 #include "reports/reach_show.h"
 
 #include <math.h>
@@ -46,44 +47,90 @@ static void print_joints(const reach_scope_result *s)
     }
 }
 
-static void print_answer(const reach_result *r, const reach_scope_result *s, int i)
+static int name_width(const reach_result *r)
+{
+    int width = 6;
+    for (int i = 0; i < r->ntarget; i++) {
+        const int here = (int)utf8_count(r->target_name[i]);
+        width = here > width ? here : width;
+    }
+    return width;
+}
+
+static void print_answer(const reach_result *r, const reach_scope_result *s, int i, int width)
 {
     const reach_answer *a = &s->answer[i];
-    char words[REACH_WORDS];
-    const bool rod = !s->arc;
-    printf("  %-16.40s %-13s", r->target_name[i], reach_verdict_words(a->verdict));
-    put(9, 3, 1e3 * a->miss);
-    put(10, 3, 1e3 * a->clearance);
-    put(10, 2, 1e3 * a->q[SCOPE_INSERTION]);
-    put(9, 1, a->q[SCOPE_TURN] / degree);
-    for (int i = SCOPE_BEND; i < s->njoint; i++) {
-        put(9, rod ? 4 : 1, a->q[i] / (rod ? 1 : degree));
+    const char *name = r->target_name[i];
+    printf("  %s%*s %-12s", name, width - (int)utf8_count(name), "",
+           reach_verdict_words(a->verdict));
+    put(8, 3, 1e3 * a->miss);
+    put(8, 3, 1e3 * a->clearance);
+    put(9, 2, 1e3 * a->q[SCOPE_INSERTION]);
+    put(8, 1, a->q[SCOPE_TURN] / degree);
+    for (int k = SCOPE_BEND; k < s->njoint; k++) {
+        put(8, s->arc ? 1 : 4, a->q[k] / (s->arc ? degree : 1));
     }
-    if (rod) {
+    if (!s->arc) {
         put(8, 2, 100 * a->strain);
     }
-    const char *thorough = reach_search_words(r, s, a, words, sizeof words);
-    printf("%s%s%s%s\n", a->why[0] ? "  " : "", a->why, thorough[0] ? "; " : "", thorough);
+    printf("%s%s\n", a->why[0] ? "  " : "", a->why);
+}
+
+static void print_names(const reach_scope_result *s, int width)
+{
+    char joint[24];
+    printf("  %-*s %-12s %8s %8s %9s %8s", width, "target", "", "miss mm", "room mm", "insert mm",
+           "turn deg");
+    for (int i = SCOPE_BEND; i < s->njoint; i++) {
+        (void)snprintf(joint, sizeof joint, s->njoint > SCOPE_BEND + 1 ? "pull%d N" : "pull N",
+                       i - SCOPE_BEND + 1);
+        printf(" %8s", s->arc ? "bend deg" : joint);
+    }
+    printf(s->arc ? "\n" : " %8s\n", "strain %");
+}
+
+// how sure the targets are that are not reached: those of one verdict in one line
+static void print_thoroughness(const reach_result *r, const reach_scope_result *s)
+{
+    char words[REACH_WORDS];
+    int far = -1, touch = 0, proved = 0, looks = 0;
+    double room = -INFINITY;
+    for (int i = 0; i < r->ntarget; i++) {
+        const reach_answer *a = &s->answer[i];
+        const bool is_far = a->verdict == REACH_OUT_OF_REACH || a->verdict == REACH_JOINT_LIMIT;
+        far = far < 0 && is_far ? i : far;
+        if (a->verdict == REACH_COLLISION) {
+            touch++;
+            proved += reach_is_proved(r, a);
+            looks = a->looks > looks ? a->looks : looks;
+            room = reach_is_proved(r, a) ? room : fmax(room, a->bound);
+        }
+    }
+    if (far >= 0) {
+        printf("  too far: %s\n", reach_search_words(r, s, &s->answer[far], words, sizeof words));
+    }
+    if (touch > 0) {
+        printf("  collision: %d, of which %d proved; at most %d looks each, down to steps of %.3g "
+               "mm",
+               touch, proved, looks, 1e3 * r->resolution);
+        if (proved < touch && isfinite(room)) {
+            printf("; of the others no pose has more room than %.3g mm", 1e3 * room);
+        }
+        (void)putchar('\n');
+    }
 }
 
 static void print_scope(const reach_result *r, const reach_scope_result *s)
 {
-    const bool rod = !s->arc;
-    char joint[24];
+    const int width = name_width(r);
     print_joints(s);
     if (r->ntarget > 0) {
-        printf("  %-16s %-13s %9s %10s %10s %9s", "target", "", "miss mm", "room mm", "insert mm",
-               "turn deg");
-        for (int i = SCOPE_BEND; i < s->njoint; i++) {
-            (void)snprintf(joint, sizeof joint, s->njoint > SCOPE_BEND + 1 ? "pull%d N" : "pull N",
-                           i - SCOPE_BEND + 1);
-            printf(" %9s", rod ? joint : "bend deg");
-        }
-        printf(rod ? " %8s\n" : "\n", "strain %");
+        print_names(s, width);
     }
     for (int i = 0; i < r->ntarget; i++) {
-        print_answer(r, s, i);
+        print_answer(r, s, i, width);
     }
+    print_thoroughness(r, s);
 }
 
 static void print_comparison(const reach_result *r)

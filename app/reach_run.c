@@ -11,8 +11,9 @@
 #include <string.h>
 #include <sys/resource.h>
 
-// The body's clearance in a pose that is told is known this much better than in the search.
-static const double finer = 1e-2;
+// Parts of the resolution: how well a look knows the body's room, which is from above, so that what
+// is proved is proved; and how well that of a pose is known that is told, which decides.
+static const double of_look = 0.05, of_answer = 0.005;
 
 // A resolution is a twentieth of the tolerance: what is left undivided is far less than what the
 // tip may be off.
@@ -41,14 +42,12 @@ static status measure_pose(const scope_work *w, reach_answer *a)
     status st = OK;
     clearance c = {0};
     scope_room fine = w->room;
-    fine.tolerance *= finer;
+    fine.tolerance *= of_answer / of_look;
     TRY(scope_bend(w->state, a->q));
     scope_clearance(&fine, w->state, a->q, &c);
     a->clearance = c.least;
     a->s = c.s;
-    // nearer to the tissue than the search's margin tells, it may still be free
-    const double wanted = w->how->c->file.reach.clearance;
-    a->verdict = c.bound >= wanted ? REACH_REACHED : REACH_COLLISION;
+    a->verdict = c.least >= w->room.leave ? REACH_REACHED : REACH_COLLISION;
 
 done:
     return st;
@@ -119,11 +118,11 @@ static status make_work(const reach_study *how, const reach_scope *s, scope_work
     *w = (scope_work){.how = how, .scope = s, .options = search_options_default()};
     w->options.tolerance = r->tolerance + skin;
     w->options.resolution = resolution;
-    // what a probe may overlook is left too, so that a pose is reached for sure
     w->room = (scope_room){.tree = how->scene->tree,
-                           .tolerance = resolution,
+                           .tolerance = of_look * resolution,
                            .free_entry = how->scene->free,
-                           .leave = r->clearance + resolution};
+                           .shaft_free = how->scene->shaft_free,
+                           .leave = r->clearance};
     w->probe = scope_room_probe(&w->room);
     TRY(scope_state_make(&s->scope, &how->scene->entry, &w->state));
     TRY(inverse_make(&s->scope, &w->inverse));

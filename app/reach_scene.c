@@ -37,7 +37,7 @@ done:
 
 // --- the line
 
-// of the widest scope, with what is to be left beside it, and what a search may overlook
+// of the widest scope, with what is to be left beside it, and a little more to be found in a search
 static double widest_room(const case_data *c)
 {
     const reach_case *r = &c->file.reach;
@@ -51,19 +51,25 @@ static double widest_room(const case_data *c)
 // Steps along the line are as long as the wall is sure to be too near, but never shorter than this
 // part of the shaft's radius, or of the line's way through the tissue.
 static const double least_of_radius = 1e-2, least_of_way = 1e-4;
+// Where a shaft comes out of its channel it has next to no room, in all poses. What they have is
+// told from where the line has this much more, over the radius, as long as its room only grows.
+static const double room_to_grow = 0.5;
 
-// From `from` to `to` along the line: where the wall is first `room` away. Else `to`, and where the
-// line has most.
-static double first_room(const reach_scene *s, double room, double from, double to, double *most,
-                         double *most_at)
+static double room_along(const reach_scene *s, double t)
 {
     const vec3 z = mat3_mul_vec(s->entry.R, (vec3){{0, 0, 1}});
-    const double least = fmax(least_of_radius * room, least_of_way * (to - from));
-    double t = from;
+    return distance_to(s->tree, vec3_add(s->entry.p, vec3_scale(t, z))).distance;
+}
+
+// From 0 to `to` along the line: where the wall is first `room` away, or `to`. Where the line has
+// most, too.
+static double first_room(const reach_scene *s, double room, double least, double to, double *most,
+                         double *most_at)
+{
+    double t = 0;
     *most = -INFINITY;
     while (t < to) {
-        const vec3 p = vec3_add(s->entry.p, vec3_scale(t, z));
-        const double here = distance_to(s->tree, p).distance;
+        const double here = room_along(s, t);
         if (here > *most) {
             *most = here;
             *most_at = t;
@@ -74,6 +80,20 @@ static double first_room(const reach_scene *s, double room, double from, double 
         t += fmax(room - here, least);
     }
     return to;
+}
+
+// on from t as long as there is more room, until there is so much
+static double while_growing(const reach_scene *s, double room, double least, double t, double to)
+{
+    for (double here = room_along(s, t); here < room && t + least < to;) {
+        const double next = room_along(s, t + least);
+        if (next <= here) {
+            break;
+        }
+        t += least;
+        here = next;
+    }
+    return t;
 }
 
 static status find_free(const case_data *c, const surface_passage *passage, int n, reach_scene *s)
@@ -97,13 +117,16 @@ static status find_free(const case_data *c, const surface_passage *passage, int 
     if (!isnan(e->free)) {
         return OK;
     }
-    s->free = first_room(s, room, 0, last, &most, &at);
-    return s->free < last
-               ? OK
-               : config_fail(c->config, e->at,
-                             "the entry line has nowhere room for a shaft of %.4g mm radius: at "
-                             "most %.4g mm, %.4g mm from the point",
-                             1e3 * room, 1e3 * most, 1e3 * at);
+    const double least = fmax(least_of_radius * room, least_of_way * last);
+    s->free = first_room(s, room, least, last, &most, &at);
+    if (s->free >= last) {
+        return config_fail(c->config, e->at,
+                           "the entry line has nowhere room for a shaft of %.4g mm radius: at "
+                           "most %.4g mm, %.4g mm from the point",
+                           1e3 * room, 1e3 * most, 1e3 * at);
+    }
+    s->shaft_free = while_growing(s, (1 + room_to_grow) * room, least, s->free, last);
+    return OK;
 }
 
 // the smallest turn of the world that brings its z onto the line: q[1] = 0 is there

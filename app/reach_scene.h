@@ -12,7 +12,8 @@ typedef struct reach_scene {
     surface_report report;
     distance_tree *tree;
     pose entry;               // z along the line
-    double free;              // of the line, from the entry on, where no shaft is looked at [m]
+    double free;              // of the line, from the entry on: the channel [m]
+    double shaft_free;        // so far the shaft has room, and beyond the channel more and more [m]
     int ntarget;              // 0: none
     char (*name)[REACH_NAME]; // [ntarget]
     double (*target)[3];      // [ntarget] [m]

@@ -33,9 +33,10 @@ static void roughly(const scope_room *room, scope_state *state, const double *q,
                              room->leave};
     const double length = scope_of(state)->length;
     // the shaft is on the line, where the channel has room for it
+    const double looked_at = fmax(room->free_entry, room->shaft_free);
     const body_curve curve = {.at = body_point,
                               .context = &body,
-                              .begin = fmin(room->free_entry - q[SCOPE_INSERTION], 0),
+                              .begin = fmin(looked_at - q[SCOPE_INSERTION], 0),
                               .end = length,
                               .stretch = scope_stretch(state),
                               .anyway = channel_room};

@@ -9,6 +9,8 @@ typedef struct scope_room {
     const distance_tree *tree;
     double tolerance;  // of the clearance, from above [m]
     double free_entry; // a channel about the line leads so far, through tissue if need be [m]
+    double shaft_free; // so far along the line a shaft is known to have room, and is not asked
+                       // for it again; the tip is; less than free_entry: that [m]
     double leave;      // to be left beside the body, which the channel leaves too: a probe counts
                        // what is more than that [m]
 } scope_room;
