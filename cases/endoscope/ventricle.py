@@ -25,8 +25,7 @@ import sys
 # --- the anatomy, in mm: x, y, z of the middle, half width across (to the side), half height; chosen before any scope was tried
 
 C_CURVE = [  # name of the stretch that begins here
-    ("frontal horn", 16.0, 29.0, 3.0, 5.0, 7.0),
-    ("", 13.5, 16.0, 6.0, 8.5, 12.0),
+    ("frontal horn", 14.5, 20.0, 5.5, 8.2, 11.5),
     ("body", 11.5, 0.0, 8.0, 9.0, 11.5),  # at the foramen of Monro
     ("", 13.0, -18.0, 11.0, 8.5, 9.5),
     ("atrium", 17.0, -36.0, 10.0, 9.0, 9.5),
@@ -34,20 +33,20 @@ C_CURVE = [  # name of the stretch that begins here
     ("temporal horn", 29.0, -51.0, -11.0, 8.0, 9.0),
     ("", 33.0, -42.0, -21.0, 6.0, 6.0),
     ("", 33.5, -28.0, -25.0, 5.5, 4.5),
-    ("", 31.5, -16.0, -26.0, 5.0, 4.0),
-    ("", 29.0, -6.0, -25.0, 3.0, 2.8),
+    ("", 31.5, -16.0, -26.0, 4.8, 4.0),
 ]
+MONRO, ATRIUM, ATRIUM_MIDDLE, TEMPORAL = 1, 3, 4, 5
 OCCIPITAL_CURVE = [
     ("", 23.5, -50.0, 1.0, 9.0, 10.0),
-    ("occipital horn", 23.0, -62.0, -2.0, 7.5, 8.0),
-    ("", 21.0, -76.0, -4.0, 4.0, 4.5),
+    ("occipital horn", 23.0, -63.0, -2.0, 7.0, 7.5),
 ]
+# the horns end as half ellipsoids, so much longer than their last node
+FRONTAL_CAP, TEMPORAL_CAP, OCCIPITAL_CAP = 14.0, 12.0, 17.0
 BLEND = 6.0  # where the curves meet, over this depth
 
 # the band lies on the inner side of the C: floor of the body, front of the atrium, roof of the temporal horn, to the midplane's side
 BAND_TILT = (15.0, 35.0, 55.0)  # its lateral edge, middle and medial edge, from straight inward [deg]
-BAND_START = 2  # it begins at this node of the C, the foramen of Monro,
-BAND_END = 12.0  # and ends so far before the temporal horn's tip
+BAND_END = 12.0  # it begins at the foramen of Monro and ends so far before the temporal horn's tip
 PLEXUS = 3.2  # its surface lies so far off the wall
 
 ENTRIES = [  # a point on the skull, and one that the line goes towards
@@ -79,23 +78,26 @@ def unit(a):
 # --- a curve with an ellipse across it
 
 
-def second_derivatives(t, y):
-    """of the natural cubic spline through y at t"""
+def second_derivatives(t, y, flat):
+    """of the cubic spline through y at t; its ends straight, or `flat`: without slope"""
     n = len(t)
-    upper, rest, m = [0.0] * n, [0.0] * n, [0.0] * n
-    for i in range(1, n - 1):
-        before, after = t[i] - t[i - 1], t[i + 1] - t[i]
-        pivot = 2 * (before + after) - before * upper[i - 1]
+    slope = [0.0] + [(y[i + 1] - y[i]) / (t[i + 1] - t[i]) for i in range(n - 1)] + [0.0]
+    upper, m = [0.0] * n, [0.0] * n
+    for i in range(n):
+        before, after = (t[i] - t[i - 1] if i > 0 else 0.0), (t[i + 1] - t[i] if i < n - 1 else 0.0)
+        if not flat and i in (0, n - 1):
+            continue
+        pivot = 2 * (before + after) - (before * upper[i - 1] if i > 0 else 0.0)
         upper[i] = after / pivot
-        slopes = (y[i + 1] - y[i]) / after - (y[i] - y[i - 1]) / before
-        rest[i] = (6 * slopes - before * rest[i - 1]) / pivot
-    for i in range(n - 2, 0, -1):
-        m[i] = rest[i] - upper[i] * m[i + 1]
+        m[i] = (6 * (slope[i + 1] - slope[i]) - (before * m[i - 1] if i > 0 else 0.0)) / pivot
+    for i in range(n - 2, -1, -1):
+        m[i] -= upper[i] * m[i + 1]
     return m
 
 
 class Curve:
-    def __init__(self, nodes, widths):
+    def __init__(self, nodes, caps, widths):
+        self.caps = caps  # at its beginning and its end
         rows = [(n[1], n[2], n[3], n[4] * widths, n[5] * widths) for n in nodes]
         self.t = [0.0]
         for a, b in zip(rows, rows[1:]):
@@ -103,8 +105,8 @@ class Curve:
         self.names = [(t, n[0]) for t, n in zip(self.t, nodes) if n[0]]
         # per stretch: x, y, z, half width, half height as cubics in t from its beginning
         self.pieces = [[] for _ in rows[1:]]
-        for y in zip(*rows):
-            m = second_derivatives(self.t, y)
+        for column, y in enumerate(zip(*rows)):
+            m = second_derivatives(self.t, y, flat=column >= 3)
             for i, piece in enumerate(self.pieces):
                 h = self.t[i + 1] - self.t[i]
                 slope = (y[i + 1] - y[i]) / h - h * (2 * m[i] + m[i + 1]) / 6
@@ -151,18 +153,20 @@ class Curve:
         return self.at(t), u, cross(tangent, u), tangent, half[0], half[1]
 
     def field(self, p):
-        """about the distance to the ellipses' hull, negative within; at the ends half an ellipsoid"""
+        """about the distance to the wall, negative within; at the ends half an ellipsoid"""
         middle, u, v, tangent, a, b = self.frame(self.nearest(p))
         q = add(p, middle, -1.0)
-        x, y, z, cap = dot(q, u), dot(q, v), dot(q, tangent), min(a, b)
+        x, y, z = dot(q, u), dot(q, v), dot(q, tangent)
+        cap = self.caps[z > 0]
         k0 = math.sqrt((x / a) ** 2 + (y / b) ** 2 + (z / cap) ** 2)
         k1 = math.sqrt((x / (a * a)) ** 2 + (y / (b * b)) ** 2 + (z / (cap * cap)) ** 2)
-        return k0 * (k0 - 1.0) / k1 if k1 > 0 else -cap
+        return k0 * (k0 - 1.0) / k1 if k1 > 0 else -min(a, b)
 
 
 class Ventricle:
     def __init__(self, widths):
-        self.c, self.occipital = Curve(C_CURVE, widths), Curve(OCCIPITAL_CURVE, widths)
+        self.c = Curve(C_CURVE, (FRONTAL_CAP, TEMPORAL_CAP), widths)
+        self.occipital = Curve(OCCIPITAL_CURVE, (OCCIPITAL_CURVE[0][4], OCCIPITAL_CAP), widths)
 
     def field(self, p):
         f, g = self.c.field(p), self.occipital.field(p)
@@ -241,7 +245,7 @@ def cut(vertex, quad):
 
 def wall(shape, size):
     """vertices, the slopes there, and triangles, counter-clockwise seen from outside"""
-    cells = surface_cells(shape, size, shape.c.at(shape.c.t[BAND_START]))
+    cells = surface_cells(shape, size, shape.c.at(shape.c.t[MONRO]))
     order = sorted(cells)
     number = {cell: n for n, cell in enumerate(order)}
     vertex, slope = zip(*(shape.onto_wall(cell_vertex(cell, cells[cell], size)) for cell in order))
@@ -319,7 +323,7 @@ def arc_lengths(shape, first, last, n):
 
 
 def make_targets(shape, n):
-    first, last = shape.c.t[BAND_START], shape.c.t[-1] - BAND_END
+    first, last = shape.c.t[MONRO], shape.c.t[-1] + TEMPORAL_CAP - BAND_END
     ts, length = arc_lengths(shape, first, last, n)
     count, rows = {}, []
     for k, t in enumerate(ts):
@@ -332,7 +336,7 @@ def make_targets(shape, n):
 
 
 def band_sheet(shape, n=60):
-    first, last = shape.c.t[BAND_START], shape.c.t[-1] - BAND_END
+    first, last = shape.c.t[MONRO], shape.c.t[-1] + TEMPORAL_CAP - BAND_END
     rows = [[band_point(shape, first + (last - first) * i / n, tilt) for tilt in BAND_TILT] for i in range(n + 1)]
     vertex = [p for row in rows for p in row]
     triangle = []
@@ -372,19 +376,18 @@ def tell(shape, size, vertex, triangle, targets, band):
     area, volume = area_and_volume(vertex, triangle)
     y = [p[1] for p in vertex]
     slab = max(size, 1.0)
-    temporal = shape.c.t[-1] - shape.c.t[6] + min(shape.c.frame(shape.c.t[-1])[4:])
     lines = [
         ("triangles", "%d of about %.2f mm" % (len(triangle), size)),
         ("volume", "%.2f mL" % (volume / 1000)),
         ("area", "%.1f cm^2" % (area / 100)),
         ("frontal horn, foramen of Monro to tip", "%.1f mm" % max(y)),
         ("frontal horns, both, across", "%.1f mm" % (2 * max(p[0] for p in vertex if p[1] > 0))),
-        ("body, foramen of Monro to atrium along its middle", "%.1f mm" % (shape.c.t[4] - shape.c.t[2])),
+        ("body, foramen of Monro to atrium along its middle", "%.1f mm" % (shape.c.t[ATRIUM] - shape.c.t[MONRO])),
         ("body across at its middle", "%.1f mm" % across(vertex, lambda p: abs(p[1] + 25) < slab and p[2] > -5, 0)),
         ("body's height at its middle", "%.1f mm" % across(vertex, lambda p: abs(p[1] + 25) < slab and p[2] > -5, 2)),
-        ("occipital horn, atrium's middle to tip", "%.1f mm" % (C_CURVE[5][2] - min(y))),
+        ("occipital horn, atrium's middle to tip", "%.1f mm" % (C_CURVE[ATRIUM_MIDDLE][2] - min(y))),
         ("occipital horn across, 12 mm behind the atrium", "%.1f mm" % across(vertex, lambda p: abs(p[1] + 62) < slab, 0)),
-        ("temporal horn along its middle", "%.1f mm" % temporal),
+        ("temporal horn along its middle", "%.1f mm" % (shape.c.t[-1] + TEMPORAL_CAP - shape.c.t[TEMPORAL])),
         ("temporal horn across at its middle", "%.1f mm" % across(vertex, lambda p: abs(p[1] + 28) < slab and p[2] < -12, 0)),
         ("temporal horn's height at its middle", "%.1f mm" % across(vertex, lambda p: abs(p[1] + 28) < slab and p[2] < -12, 2)),
         ("band, foramen of Monro to its end", "%.1f mm" % band),
