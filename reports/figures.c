@@ -17,6 +17,7 @@ status figures_all(const run_result *r, const char *dir)
     TRY(figure_tornado(r, dir));
     TRY(figure_measured(r, dir));
     TRY(figure_fit(r, dir));
+    TRY(figure_reach(r, dir));
 
 done:
     return st;

@@ -31,6 +31,8 @@ status figure_measured(const run_result *r,
                                          // measured shapes
 status figure_fit(const run_result *r,
                   const char *dir); // fit: distances along the line, pairs of fitted numbers
+status figure_reach(const run_result *r,
+                    const char *dir); // reach: targets and bodies in the tissue from three sides
 status figures_all(const run_result *r, const char *dir);
 
 // One self-contained page DIR/report.html with the figures inlined (SVG), tables and numbers.

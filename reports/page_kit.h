@@ -15,6 +15,11 @@ status page_escaped(bytes *page, const char *text);
 status page_open(bytes *page, const char *title);
 status page_close(bytes *page);
 
+// reports/page_view.c: what the browser may run and fetch, for the head; the scripts of the page's
+// views, for its end, nothing where it has none.
+status page_policy(bytes *page);
+status page_scripts(bytes *page);
+
 // DIR/name.svg with a caption; nothing where there is no such file.
 status page_figure(bytes *page, const char *dir, const char *name, const char *caption);
 
@@ -32,6 +37,7 @@ status page_models(bytes *page,
 status page_sensitivity(bytes *page, const run_result *r, const char *dir);
 status page_fit(bytes *page, const run_result *r, const char *dir);   // reports/page_fit.c
 status page_reach(bytes *page, const run_result *r, const char *dir); // reports/page_reach.c
+status page_reach_view(bytes *page, const run_result *r);             // in space, to be turned
 status page_assumptions(bytes *page, const run_result *r);
 status page_origin(bytes *page, const run_result *r);
 

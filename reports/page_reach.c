@@ -270,12 +270,15 @@ done:
 
 // --- the whole -----------------------------------------------------------------------------------
 
-static status pictures(bytes *page, const reach_result *r, const char *dir)
+static status pictures(bytes *page, const run_result *run, const char *dir)
 {
     status st = OK;
+    const reach_result *r = &run->reach;
     TRY(page_figure(page, dir, "reach",
                     r->synthetic ? "The scopes in their poses, in synthetic anatomy."
                                  : "The scopes in their poses."));
+    TRY(page_reach_view(page, run));
+    TRY(page_figure(page, dir, "reach_clearance", "The room along each body, target by target."));
     TRY(page_figure(page, dir, "reach_map",
                     r->synthetic ? "What of the wall the tips reach, in synthetic anatomy."
                                  : "What of the wall the tips reach."));
@@ -295,7 +298,7 @@ status page_reach(bytes *page, const run_result *run, const char *dir)
     TRY(anatomy(page, r));
     TRY(question(page, r));
     TRY(r->nscope > 0 ? scope_table(page, r) : OK);
-    TRY(pictures(page, r, dir));
+    TRY(pictures(page, run, dir));
     TRY(r->ntarget > 0 && r->nscope > 0 ? target_table(page, r) : OK);
     TRY(page_reach_thoroughness(page, r));
     TRY(limits_table(page, r));

@@ -1,6 +1,6 @@
 // reports/page_style.c
-// The frame of the page: one style sheet for the screen, the phone and the printer; no script,
-// nothing from outside.
+// The frame of the page: one style sheet for the screen, by day and night, the phone and the
+// printer; scripts for its views only, nothing from outside.
 #include "reports/page_kit.h"
 
 #include "reports/svg_tidy.h"
@@ -12,10 +12,15 @@
 static const char *const style[] = {
     ":root{--ink:#20262f;--soft:#5b6470;--line:#dfe3e8;--tint:#f5f7f9;--accent:#00588f;--bad:#"
     "b3261e;"
-    "--good:#1c6b48;--warn:#7a4b00}\n",
+    "--good:#1c6b48;--warn:#7a4b00;--paper:#fff}\n",
+    "@media screen and (prefers-color-scheme:dark){:root{color-scheme:dark;--ink:#e4e8ed;--soft:#"
+    "a3adb8;--line:#39424c;--tint:#1e242b;--accent:#6db3e6;--bad:#ff8a80;--good:#6fd0a4;--paper:#"
+    "14181d}"
+    "figure:not(.view){background:#fff;--soft:#5b6470}html .warn{background:#3a2c10;--warn:#f2c879}}\n",
     "*{box-sizing:border-box}\n"
     "html{-webkit-text-size-adjust:100%}\n"
-    "body{margin:0;background:#fff;color:var(--ink);font:16px/1.55 system-ui,-apple-system,'Segoe "
+    "body{margin:0;background:var(--paper);color:var(--ink);font:16px/1.55 "
+    "system-ui,-apple-system,'Segoe "
     "UI',"
     "'DejaVu Sans',sans-serif}\n"
     "main,header>div,footer>div{max-width:1180px;margin:0 auto;padding:0 20px}\n",
@@ -61,7 +66,25 @@ static const char *const style[] = {
     "font:.84rem/1.5 ui-monospace,'DejaVu Sans Mono',monospace}\n"
     "footer{margin-top:3rem;border-top:1px solid "
     "var(--line);color:var(--soft);font-size:.86rem;padding:16px 0 30px}\n",
+    ".view{overflow:visible}.view .stage{position:relative;height:min(70vh,620px);min-height:300px;"
+    "background:var(--tint);overflow:hidden;touch-action:none;cursor:grab;border-radius:4px}\n"
+    ".view .stage:focus-visible{outline:3px solid var(--accent)}.view "
+    "canvas{display:block;width:100%;"
+    "height:100%}\n"
+    ".view "
+    ".label{position:absolute;left:0;top:0;font-size:.75rem;font-weight:600;pointer-events:none;"
+    "white-space:nowrap;text-shadow:0 0 3px var(--paper),0 0 3px var(--paper)}\n"
+    ".view .controls,.view .keys{display:flex;flex-wrap:wrap;gap:6px "
+    "18px;align-items:center;margin:"
+    "8px;padding:0;font-size:.9rem}.view .controls select{max-width:60vw}\n"
+    ".view .keys{list-style:none;font-size:.84rem;color:var(--soft)}.view .keys "
+    "i{display:inline-block;"
+    "width:1em;height:.8em;margin-right:5px;border-radius:2px}.view .keys .ramp{width:6em;margin:0 "
+    "4px}\n"
+    ".view .words{margin:8px;min-height:3.2em}.view[data-state=live] .still{display:none}"
+    ".view .label[hidden],.view .controls [hidden]{display:none}\n",
     "@media(max-width:600px){h1{font-size:1.35rem}th,td{padding:5px 8px}}\n"
+    "@media print{.view{display:none}}\n",
     "@media "
     "print{body{font-size:10.5pt}header{background:#fff;color:#000;padding:0;border-bottom:2px "
     "solid #000}"
@@ -82,6 +105,7 @@ status page_open(bytes *page, const char *title)
     status st = OK;
 
     PAGE("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n");
+    TRY(page_policy(page));
     PAGE("<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>");
     TRY(page_escaped(page, title));
     PAGE(" – stiffaxis</title>\n<style>\n");
@@ -96,7 +120,12 @@ done:
 
 status page_close(bytes *page)
 {
-    return bytes_text(page, "</body>\n</html>\n");
+    status st = OK;
+    TRY(page_scripts(page));
+    TRY(bytes_text(page, "</body>\n</html>\n"));
+
+done:
+    return st;
 }
 
 // The whole file; *out stays empty where there is none.

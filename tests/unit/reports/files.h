@@ -91,7 +91,7 @@ static inline bool same_file(const char *dir_a, const char *dir_b, const char *n
 }
 
 // Every tag closed in turn, every & an entity; void elements and declarations need no end. Raw text
-// in <style> is skipped.
+// in <style> and <script> is skipped, and comments.
 static inline bool well_formed(const char *text)
 {
     static char stack[64][32];
@@ -130,7 +130,11 @@ static inline bool well_formed(const char *text)
         } else if (!name[0] && p[1] != '!' && p[1] != '?') {
             return false;
         }
-        p = strcmp(name, "style") == 0 && !closing ? strstr(end, "</style>") - 1 : end;
+        p = closing                       ? end
+            : strcmp(name, "style") == 0  ? strstr(end, "</style>") - 1
+            : strcmp(name, "script") == 0 ? strstr(end, "</script>") - 1
+            : strncmp(p, "<!--", 4) == 0  ? strstr(p, "-->") + 2
+                                          : end;
     }
     return depth == 0;
 }

@@ -1,0 +1,70 @@
+// reports/scene.h
+// A scene for the page's view in space (reports/view.js): surfaces, bodies, lines and points in
+// layers that are switched on and off, and choices of which only one option is shown. Lengths in m;
+// coordinates are kept in 65535 steps of the scene's box.
+#pragma once
+
+#include "reports/figure_kit.h"
+#include "reports/markup.h"
+
+enum { SCENE_LAYERS = 16, SCENE_CHOICES = 3, SCENE_ANY = -1 };
+
+typedef struct scene scene;
+
+typedef struct scene_choice {
+    const char *name;
+    int noption;
+    const char *const *option;
+    bool all; // "all" can be chosen too, and comes first
+} scene_choice;
+
+typedef struct scene_spec {
+    const char *name;    // what a screen reader says
+    double low[3], size; // the box, a cube [m]
+    int nlayer;
+    const char *const *layer;
+    const bool *on; // [nlayer] at first
+    int nchoice;
+    const scene_choice *choice;
+    const char *value_name; // what bodies are coloured by: "clearance, mm"; NULL: nothing
+    double value_most;      // end of the ramp, in the unit that value_name names
+} scene_spec;
+
+status scene_open(const scene_spec *spec, scene **out);
+// The page's element: <figure class="view"> with the scene inside.
+status scene_close(scene *s, const char *caption, bytes *page);
+void scene_free(scene *s); // NULL is nothing
+
+// Where a thing belongs. It is shown where the layer is on and every choice is at this option, or
+// at "all"; SCENE_ANY: at any.
+typedef struct scene_place {
+    int layer, option[SCENE_CHOICES];
+} scene_place;
+
+static inline scene_place scene_in(int layer)
+{
+    return (scene_place){layer, {SCENE_ANY, SCENE_ANY, SCENE_ANY}};
+}
+
+// At most 65535 vertices. Seen from within through what faces the eye.
+status scene_wall(scene *s, scene_place at, int nvertex, const double (*vertex)[3], int ntriangle,
+                  const int (*triangle)[3], colour ink);
+// Colours for the last wall's vertices, one of `ink` each, where `at` is shown.
+status scene_paint(scene *s, scene_place at, int nvertex, const unsigned char *kind, int nink,
+                   const colour *ink);
+
+// A tube; value [npoint]: coloured by it, NULL: in one colour. Less than 0 stands out.
+status scene_tube(scene *s, scene_place at, int npoint, const double (*point)[3],
+                  const double *value, double radius, colour ink);
+// The same going through poses: point [nframe npoint]; a slider shows one of them.
+status scene_motion(scene *s, scene_place at, int nframe, int npoint, const double (*point)[3],
+                    double radius, colour ink, const char *name);
+status scene_line(scene *s, scene_place at, int npoint, const double (*point)[3], colour ink);
+// Balls of different colours, with words beside them (label [npoint], may be NULL).
+status scene_points(scene *s, scene_place at, int npoint, const double (*point)[3], double radius,
+                    const unsigned char *kind, int nink, const colour *ink,
+                    const char *const *label);
+// Words under the view; of those that belong to an option only where it is chosen itself.
+status scene_words(scene *s, scene_place at, const char *words);
+// A line of the key: what a colour means; `layer` must be on.
+status scene_key(scene *s, int layer, colour ink, const char *words);
