@@ -80,7 +80,7 @@ static void crossing(const tracer *t, int id, double at[2])
     const int k = id % t->n, i = k % t->r->nx, j = k / t->r->nx, in_y = id >= t->n;
     const double a = t->r->value[k], b = t->r->value[in_y ? k + t->r->nx : k + 1];
     const double share = (t->level - a) / (b - a);
-    const double part = share > 0 && share < 1 ? share : 0.5;
+    const double part = share >= 0 && share <= 1 ? share : 0.5;
     at[0] = i + (in_y ? 0 : part);
     at[1] = j + (in_y ? part : 0);
 }

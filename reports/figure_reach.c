@@ -10,7 +10,7 @@
 enum { RASTER = 420, MOST_BODIES = 40, MOST_MARKS = 240, MOST_LABELS = 48, BODY_POINTS = 72 };
 
 static const double side = 28, head = 100, foot = 60, sheet_width = 1040, row_head = 40, gap = 22,
-                    highest = 430;
+                    highest = 430, least_height = 260;
 
 typedef struct reach_side {
     wall_view view;
@@ -22,6 +22,8 @@ typedef struct reach_sheet {
     const run_result *r;
     reach_side side[REACH_VIEWS];
     double scale; // [points per m]
+    int across;   // scopes side by side
+    double width; // of a scope's three views with the gap after them [points]
     double row;   // height of a scope's row [points]
 } reach_sheet;
 
@@ -233,14 +235,16 @@ static void row(canvas *c, const reach_sheet *w, int scope)
 {
     const reach_result *r = &w->r->reach;
     const reach_scope_result *s = &r->scope[scope];
-    const double y = head + w->row * scope;
+    const double left = side + w->width * (scope % w->across),
+                 y = head + w->row * (scope / w->across);
+    const double room = w->across > 1 ? w->width - gap : sheet_width - 2 * side;
     char count[REACH_TEXT], words[REACH_TEXT + 2 * REACH_NAME];
     (void)snprintf(words, sizeof words, "%s: %s", s->name, reach_count_words(r, scope, count));
-    say_within(c, side, y, sheet_width - 2 * side, LOOK_HEADING, words);
+    say_within(c, left, y, room, LOOK_HEADING, words);
     (void)snprintf(words, sizeof words, "%s, %s mm long, %s mm thick", s->kind,
                    number_short(1e3 * s->length, 4).text, number_short(2e3 * s->radius, 4).text);
-    say_within(c, side, y + 16, sheet_width - 2 * side, LOOK_SMALL, words);
-    double x = side;
+    say_within(c, left, y + 16, room, LOOK_SMALL, words);
+    double x = left;
     for (int k = 0; k < REACH_VIEWS; k++) {
         const reach_side *v = &w->side[k];
         const double width = w->scale * (v->high[0] - v->low[0]),
@@ -255,12 +259,12 @@ static void row(canvas *c, const reach_sheet *w, int scope)
 
 static void legend(canvas *c, double y)
 {
-    const double at[2] = {side + 104, y - 4};
+    const double at[2] = {side + 110, y - 4};
     canvas_circle(c, side + 5, y - 4, 3.4);
     canvas_fill(c, REACH_YES);
     say(c, side + 14, y, LOOK_SMALL, "target reached");
     cross(c, at, 3.6, INK_ACCENT, 2);
-    say(c, side + 113, y, LOOK_SMALL, "not reached");
+    say(c, side + 119, y, LOOK_SMALL, "not reached");
     canvas_segment(c, side + 196, y - 4, side + 222, y - 4);
     canvas_stroke(c, REACH_YES, 1.6);
     say(c, side + 228, y, LOOK_SMALL, "body there");
@@ -277,7 +281,7 @@ static void legend(canvas *c, double y)
 
 static double sheet_height(const reach_sheet *w)
 {
-    return head + w->row * w->r->reach.nscope + foot;
+    return head + w->row * ((w->r->reach.nscope + w->across - 1) / w->across) + foot;
 }
 
 static status draw(canvas *c, const void *data)
@@ -355,7 +359,11 @@ static status make_sides(reach_sheet *w)
         width += s->high[0] - s->low[0];
         height = fmax(height, s->high[1] - s->low[1]);
     }
-    w->scale = fmin((sheet_width - 2 * side - (REACH_VIEWS - 1) * gap) / width, highest / height);
+    const double room = sheet_width - 2 * side;
+    const double half = (room + gap) / 2 - REACH_VIEWS * gap;
+    w->across = r->nscope > 1 && half / width * height > least_height ? 2 : 1;
+    w->width = w->across > 1 ? (room + gap) / 2 : room + gap;
+    w->scale = fmin((w->width - REACH_VIEWS * gap) / width, highest / height);
     w->row = row_head + gap + w->scale * height;
 
 done:

@@ -28,7 +28,7 @@ typedef struct reach_scene {
     scene *s;
     coarse_surface tissue;
     int ntarget, target[TARGETS];
-    char target_name[TARGETS][REACH_NAME + 16];
+    char target_name[TARGETS][REACH_NAME + 16], number[TARGETS][16];
     int points; // still to be given out
 } reach_scene;
 
@@ -94,7 +94,7 @@ static status put_targets(reach_scene *w, int scope, double radius)
             point[i][d] = w->r->target[k][d];
         }
         kind[i] = w->r->scope[scope].answer[k].verdict == REACH_REACHED;
-        label[i] = w->target_name[i];
+        label[i] = w->number[i];
     }
     TRY(scene_points(w->s, place_of(LAYER_TARGETS, scope, SCENE_ANY), w->ntarget,
                      (const double(*)[3])point, radius, kind, 2, ink, label));
@@ -273,10 +273,9 @@ static void choose_targets(reach_scene *w)
     w->ntarget = rod_spread(w->r->ntarget, TARGETS, w->target);
     for (int i = 0; i < w->ntarget; i++) {
         const char *name = w->r->target_name[w->target[i]];
-        char number[16];
-        (void)snprintf(number, sizeof number, "%d", w->target[i] + 1);
-        (void)snprintf(w->target_name[i], sizeof w->target_name[i], "%s%s%s", number,
-                       name[0] ? " " : "", name);
+        (void)snprintf(w->number[i], sizeof w->number[i], "%d", w->target[i] + 1);
+        (void)snprintf(w->target_name[i], sizeof w->target_name[i], "%d%s%s", w->target[i] + 1,
+                       name[0] ? ": " : "", name);
     }
 }
 

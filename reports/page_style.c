@@ -16,7 +16,8 @@ static const char *const style[] = {
     "@media screen and (prefers-color-scheme:dark){:root{color-scheme:dark;--ink:#e4e8ed;--soft:#"
     "a3adb8;--line:#39424c;--tint:#1e242b;--accent:#6db3e6;--bad:#ff8a80;--good:#6fd0a4;--paper:#"
     "14181d}"
-    "figure:not(.view){background:#fff;--soft:#5b6470}html .warn{background:#3a2c10;--warn:#f2c879}}\n",
+    "figure:not(.view){background:#fff;--soft:#5b6470}html "
+    ".warn{background:#3a2c10;--warn:#f2c879}}\n",
     "*{box-sizing:border-box}\n"
     "html{-webkit-text-size-adjust:100%}\n"
     "body{margin:0;background:var(--paper);color:var(--ink);font:16px/1.55 "

@@ -157,11 +157,14 @@
         points(data, item) {
             const p = placesOf(data, item.points), kinds = bytesOf(item.kinds);
             const ball = new THREE.SphereBufferGeometry(item.radius, 16, 12);
-            const looks = item.colours.map((c) => new THREE.MeshLambertMaterial({color: c}));
+            // seen through whatever lies in front of them
+            const looks = item.colours.map((c) => new THREE.MeshLambertMaterial(
+                {color: c, depthTest: false, transparent: true}));
             const all = new THREE.Group();
             kinds.forEach((kind, i) => {
                 const one = new THREE.Mesh(ball, looks[Math.min(kind, looks.length - 1)]);
                 one.position.copy(vector(p, i));
+                one.renderOrder = 2;
                 all.add(one);
             });
             return all;
@@ -376,8 +379,8 @@
                 this.choose();
             };
         });
-        ["along y", "against x", "against z"].forEach((name, k) => {
-            const button = make("button", {type: "button", textContent: name}, layers);
+        looks.forEach((one, k) => {
+            const button = make("button", {type: "button", textContent: one[0]}, layers);
             button.onclick = () => this.look(k);
         });
         this.key = make("ul", {className: "keys"}, this.figure);
@@ -425,9 +428,12 @@
 
     // --- turning
 
+    const looks = [["aslant", 0.5, 0.3], ["along y", 0, 0], ["against x", Math.PI / 2, 0],
+                   ["against z", 0, Math.PI / 2 - 1e-3]];
+
     View.prototype.look = function (k) {
-        this.azimuth = k === 1 ? Math.PI / 2 : 0; // of the eye: from -y towards x
-        this.height = k === 2 ? Math.PI / 2 - 1e-3 : 0;
+        this.azimuth = looks[k][1]; // of the eye: from -y towards x
+        this.height = looks[k][2];
         this.away = 1;
         this.middle = this.extent.center.clone();
         this.draw();

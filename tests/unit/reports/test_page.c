@@ -26,7 +26,8 @@ static void one_file_holds_everything(void)
     CHECK(ids_are_unique(page));
     CHECK(count_of(page, "<svg") == 9 && count_of(page, "<?xml") == 0);
     // nothing from outside: the only addresses are the names of the SVG's vocabularies
-    CHECK(count_of(page, "http") == count_of(page, "\"http://www.w3.org/"));
+    CHECK(count_of(page, "http://") == count_of(page, "\"http://www.w3.org/"));
+    CHECK(count_of(page, "https:") == 0);
     CHECK(count_of(page, "src=") == 0 && count_of(page, "@import") == 0);
     CHECK(count_of(page, "<table>") == count_of(page, "</table>") &&
           count_of(page, "<table>") >= 5);
