@@ -285,9 +285,13 @@ static void reach_lines(summary *s, const reach_result *r)
     const reach_design_result *d = &r->design;
     if (d->there && d->nrow > 0) {
         const double unit = d->goal == DESIGN_AREA ? 100 : 1;
-        add(s, "design   %s %.4g%s, at the start %.4g; %d evaluations, seed %d", d->scope,
+        char start[32] = "no answer";
+        if (isfinite(d->start_goal)) {
+            (void)snprintf(start, sizeof start, "%.4g", unit * d->start_goal);
+        }
+        add(s, "design   %s %.4g%s, at the start %s; %d evaluations, seed %d", d->scope,
             unit * d->row[d->best].goal, d->goal == DESIGN_AREA ? " % of the wall" : " targets",
-            unit * d->start_goal, d->evaluations, d->seed);
+            start, d->evaluations, d->seed);
     }
 }
 

@@ -172,11 +172,29 @@ static void the_terminal_gets_the_counts(void)
     run_result_free(&r);
 }
 
+static void a_start_without_an_answer_is_told(void)
+{
+    run_result r = make(false);
+    char *text = NULL;
+    size_t size = 0;
+    r.reach.design.start_goal = r.reach.design.start_score = NAN;
+    FILE *stream = open_memstream(&text, &size);
+    CHECK_OK(report_summary(&r, 40, stream));
+    (void)fclose(stream);
+    CHECK(count_of(text, "at the start no answer") == 1 && count_of(text, "nan") == 0);
+    free(text);
+    text = page_of(&r);
+    CHECK(count_of(text, "<td>no answer</td>") == 1 && count_of(text, "nan") == 0);
+    free(text);
+    run_result_free(&r);
+}
+
 int main(void)
 {
     tables_have_units_and_all_rows();
     the_page_tells_it_all();
     hostile_names_stay_words();
     the_terminal_gets_the_counts();
+    a_start_without_an_answer_is_told();
     return test_failures != 0;
 }
