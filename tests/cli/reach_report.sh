@@ -1,0 +1,94 @@
+#!/bin/sh
+# What a reach study leaves behind: tables and JSON that say the same, a page that `report` makes again from the stored result
+# alone, names that stay words, damaged results refused.
+set -u
+. "$STIFFAXIS_SOURCE/tests/cli/helpers"
+
+# a box of 40 x 40 x 50 mm, from z = -5 mm on
+awk 'BEGIN {
+    split("0 1 3 2  4 6 7 5  0 4 5 1  2 3 7 6  0 2 6 4  1 5 7 3", c, / +/)
+    for (f = 0; f < 6; f++)
+        for (t = 0; t < 2; t++) {
+            split(t ? "1 3 4" : "1 2 3", k, " ")
+            print "facet normal 0 0 0\nouter loop"
+            for (i = 1; i <= 3; i++) {
+                v = c[4 * f + k[i]]
+                print "vertex", (v % 2 ? 20 : -20), (int(v / 2) % 2 ? 20 : -20), (v > 3 ? 45 : -5)
+            }
+            print "endloop\nendfacet"
+        }
+}' | sed '1i solid box
+$a endsolid box' >"$work/box.stl"
+cat >"$work/targets.csv" <<'END'
+name,x [mm],y [mm],z [mm]
+<script>alert(1)</script>,0,6,25
+=1+1,-8,0,22
+"a, b",0,0,44
+far,19,19,-4
+END
+cat >"$work/box.yaml" <<'END'
+format: 1
+title: scopes <b>in</b> a box
+materials: {soft: {E_MPa: 1, nu: 0.45, linear_strain: 0.12}}
+section:
+  model: classical
+  shapes: [{annulus: {outer_radius_mm: 1.4, inner_radius_mm: 1}, material: soft}]
+rod: {length_mm: 20, tendons: [{name: t, radius_mm: 1.2, angle_rad: 0}]}
+reach:
+  tissue: box.stl
+  tissue_unit: mm
+  targets: targets.csv
+  entry: {point_mm: [0, 0, -8], direction: [0, 0, 1]}
+  synthetic: true
+  source: made by a test & nobody's
+  scopes:
+    - {name: "arc <i>", radius_mm: 1.4, insertion_mm: [0, 60], constant_curvature: {length_mm: 20, bend_deg: [0, 180]}}
+    - {name: rod, radius_mm: 1.4, insertion_mm: [0, 60], rod: {}, tensions_N: [[0, 0.3]], strain_limit: true}
+END
+expect 0 "$program" reach "$work/box.yaml" --out "$work/first" --json
+cp "$work/out" "$work/box.json"
+valid_json "$work/box.json"
+
+expect 0 "$program" report "$work/first/result.hdf" --out "$work/again"
+out '4 targets in SYNTHETIC anatomy, final poses only'
+out 'the paper prints 14 and 18 of 20'
+for file in reach.csv reach_scopes.csv reach_body.csv report.html; do
+    cmp -s "$work/first/$file" "$work/again/$file" || fail "$file: not the same from the stored result"
+done
+grep -qF 'The anatomy is synthetic' "$work/again/report.html" || fail 'the page does not say that the anatomy is synthetic'
+grep -qF '&lt;script&gt;alert(1)' "$work/again/report.html" || fail 'the page does not show the name of a target'
+grep -qF '<script>alert' "$work/again/report.html" && fail 'the page runs the name of a target'
+grep -qF '<i>' "$work/again/report.html" && fail 'the page takes the name of a scope for markup'
+
+if command -v python3 >/dev/null; then
+    python3 - "$work" <<'END' || fail 'tables and JSON do not say the same'
+import csv, json, sys
+told = json.load(open(f"{sys.argv[1]}/box.json"))
+rows = list(csv.DictReader(open(f"{sys.argv[1]}/first/reach.csv")))
+answers = [(s, a) for s in told["scopes"] for a in s["answers"]]
+if len(rows) != len(answers) or len(rows) != 8: sys.exit("not a row per scope and target")
+number = lambda text: float(text) if text else None
+for row, (s, a) in zip(rows, answers):
+    same = [row["scope"] == s["name"], row["verdict"].replace(" ", "_") == a["verdict"], row["why"] == a["why"],
+            number(row["miss_m"]) == a["miss_m"], number(row["clearance_m"]) == a["clearance_m"],
+            number(row["insertion_m"]) == a["pose"]["insertion_m"],
+            number(row["bend_rad"]) == a["pose"].get("bend_rad"),
+            [number(row["tension_1_N"])] == a["pose"].get("tensions_N", [None])]
+    if not all(same): sys.exit(f"{s['name']}, {a['target']}: {same}")
+if not any(a["verdict"] == "reached" for s, a in answers): sys.exit("nothing is reached")
+if all(a["verdict"] == "reached" for s, a in answers): sys.exit("all is reached")
+scopes = list(csv.DictReader(open(f"{sys.argv[1]}/first/reach_scopes.csv")))
+if [int(r["reached_count"]) for r in scopes] != [s["reached"] for s in told["scopes"]] + [14, 18]: sys.exit("counts")
+if [r["anatomy"] for r in scopes] != ["synthetic"] * 2 + ["a patient's, not published"] * 2: sys.exit("whose anatomy")
+body = [r for r in csv.DictReader(open(f"{sys.argv[1]}/first/reach_body.csv")) if r["scope"] == "rod"]
+if len(body) != sum(len(a["body"]["s_m"]) for s, a in answers if s["name"] == "rod"): sys.exit("bodies")
+END
+fi
+
+# --- damaged
+
+size=$(wc -c <"$work/first/result.hdf")
+head -c $((size / 2)) "$work/first/result.hdf" >"$work/half.hdf"
+expect 3 "$program" report "$work/half.hdf" --out "$work/half"
+[ ! -e "$work/half" ] || fail 'something was written of a damaged result'
+finish
