@@ -230,8 +230,9 @@ static status target_row(bytes *page, const reach_result *r, int target)
     const double *p = r->target[target];
     PAGE("<tr><td class=\"text\">");
     TRY(page_escaped(page, r->target_name[target]));
-    PAGE("<small>(%s, %s, %s)</small></td><td>%s</td>", number_fixed(1e3 * p[0], 1).text,
-         number_fixed(1e3 * p[1], 1).text, number_fixed(1e3 * p[2], 1).text,
+    PAGE("<small>no. %d at (%s, %s, %s)</small></td><td>%s</td>", target + 1,
+         number_fixed(1e3 * p[0], 1).text, number_fixed(1e3 * p[1], 1).text,
+         number_fixed(1e3 * p[2], 1).text,
          isfinite(r->target_depth[target]) ? number_fixed(1e3 * r->target_depth[target], 2).text
                                            : "");
     for (int i = 0; i < r->nscope; i++) {
