@@ -21,7 +21,7 @@ status design_settings(const case_data *c, const double *x, settings *out);
 // another case than c (the scope's rod is from a file) go to the scope's `rod.set`.
 status design_case_settings(const case_data *c, const double *x, settings *out);
 
-// `text` with whole words that are names [n] replaced by (value), numbers and all else left as they
-// are. The caller frees it.
+// `text` with whole words that are names [n] replaced by (value), or by the value where there is
+// nothing else; numbers and all else are left as they are. The caller frees it.
 status design_words(const char *text, int n, const char *const *name, const double *value,
                     char **out);

@@ -61,7 +61,9 @@ static hash fingerprint(const designing *d, const reach_scope *start)
         const bool search = strncmp(o, "reach.design.islands=", 21) == 0 ||
                             strncmp(o, "reach.design.evaluations=", 25) == 0 ||
                             strncmp(o, "reach.design.seed=", 18) == 0;
-        hash_text(&h, search ? "" : o);
+        if (!search) {
+            hash_text(&h, o);
+        }
     }
     hash_bytes(&h, s->vertex, (size_t)s->nvertex * sizeof *s->vertex);
     hash_bytes(&h, s->triangle, (size_t)s->ntriangle * sizeof *s->triangle);

@@ -62,7 +62,9 @@ status design_words(const char *text, int n, const char *const *name, const doub
         const size_t length = word + number > 0 ? word + number : 1; // one of them is 0
         const int i = word > 0 ? find(at, word, n, name) : -1;
         if (i >= 0) {
-            used += (size_t)snprintf(words + used, NUMBER_ROOM, "(%.17g)", value[i]);
+            const bool alone = strlen(text) == length;
+            used +=
+                (size_t)snprintf(words + used, NUMBER_ROOM, alone ? "%.17g" : "(%.17g)", value[i]);
         } else {
             memcpy(words + used, at, length);
             used += length;

@@ -4,24 +4,6 @@
 set -u
 . "$STIFFAXIS_SOURCE/tests/cli/helpers"
 
-# ball ROWS RADIUS X Z: a sphere as text STL, 2 ROWS columns
-ball() {
-    awk -v n="$1" -v R="$2" -v x="$3" -v z="$4" '
-    function corner(i, j) {
-        a = 3.14159265358979 * i / n; b = 3.14159265358979 * (j % (2 * n)) / n; r = i % n ? R * sin(a) : 0
-        return sprintf("vertex %.9g %.9g %.9g\n", x + r * cos(b), r * sin(b), z - R * cos(a))
-    }
-    function facet(a, b, c) { printf "facet normal 0 0 0\nouter loop\n%s%s%sendloop\nendfacet\n", a, b, c }
-    BEGIN {
-        print "solid ball"
-        for (i = 0; i < n; i++)
-            for (j = 0; j < 2 * n; j++) {
-                if (i < n - 1) facet(corner(i, j), corner(i + 1, j), corner(i + 1, j + 1))
-                if (i > 0) facet(corner(i, j), corner(i + 1, j + 1), corner(i, j + 1))
-            }
-        print "endsolid ball"
-    }'
-}
 ball 60 20 0 15 >"$work/ball.stl"
 
 # --- a straight tip: it comes to its line only, and its end to where a ball of its radius has room
