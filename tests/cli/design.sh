@@ -4,7 +4,7 @@
 set -u
 . "$STIFFAXIS_SOURCE/tests/cli/helpers"
 
-ball 24 40 0 15 >"$work/ball.stl"
+ball 12 40 0 15 >"$work/ball.stl"
 # The scope is not inserted, so that a straight tip ends at its own length: target `ahead` wants 25 mm of it. The arc of a tip of
 # 25 mm that its tendon bends by 1 rad ends 11.49 mm off its line: `aside` wants a tendon that is far enough from the axis.
 cat >"$work/targets.csv" <<'END'
@@ -40,8 +40,8 @@ reach:
     set:
       - rod.length_mm=tip
       - "rod.tendons.t1.radius_mm=off"
-    islands: 3
-    evaluations: 60
+    islands: 2
+    evaluations: 40
 END
 design() {
     expect 0 "$program" design "$work/toy.yaml" --out "$work/$1"
@@ -51,7 +51,7 @@ design() {
 expect 0 "$program" design "$work/toy.yaml" --out "$work/one"
 out 'at first        0 of 2 targets'
 out 'found           2 of 2 targets'
-[ "$(grep -c '^[0-9]' "$work/one.design-log")" -eq 180 ] || fail 'not every design is in the log'
+[ "$(grep -c '^[0-9]' "$work/one.design-log")" -eq 80 ] || fail 'not every design is in the log'
 grep -q '^# designed: scope soft reaches 2 targets (synthetic), at first 0 targets; tip = 2' "$work/one/designed.yaml" ||
     fail 'the design is not told in the case'
 # the design is a case of its own, wherever it lies
@@ -76,10 +76,10 @@ if command -v mpirun >/dev/null; then
 fi
 
 # cut off in the middle of a line: what stands there is not computed again
-head -n 100 "$work/one.design-log" >"$work/cut.design-log"
-printf '1,37,0,0.3' >>"$work/cut.design-log"
+head -n 50 "$work/one.design-log" >"$work/cut.design-log"
+printf '1,9,0,0.3' >>"$work/cut.design-log"
 design cut
-[ "$(grep -c '^[0-9]' "$work/cut.design-log")" -eq 180 ] || fail 'the search did not go on where it ended'
+[ "$(grep -c '^[0-9]' "$work/cut.design-log")" -eq 80 ] || fail 'the search did not go on where it ended'
 # ended by a signal: the log stays, nothing else
 "$program" design "$work/toy.yaml" --set reach.design.evaluations=20000 --out "$work/ended" >"$work/out" 2>&1 &
 run=$!
