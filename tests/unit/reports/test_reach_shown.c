@@ -184,7 +184,7 @@ static void a_start_without_an_answer_is_told(void)
     CHECK(count_of(text, "at the start no answer") == 1 && count_of(text, "nan") == 0);
     free(text);
     text = page_of(&r);
-    CHECK(count_of(text, "<td>no answer</td>") == 1 && count_of(text, "nan") == 0);
+    CHECK(count_of(text, "<td>no answer</td>") == 1 && count_of(text, ">nan") == 0);
     free(text);
     run_result_free(&r);
 }
