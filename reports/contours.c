@@ -236,6 +236,21 @@ void raster_smooth(const raster *from, raster *to)
     }
 }
 
+int line_simplify(int n, double (*at)[2], double slack)
+{
+    int left = n > 0;
+    for (int from = 0, to; from + 1 < n; from = to) {
+        bool near = true;
+        for (to = from + 1; to + 1 < n && near; to += near) {
+            for (int k = from + 1; k <= to; k++) {
+                near = near && off_line(at[k], at[from], at[to + 1]) <= slack;
+            }
+        }
+        memmove(at[left++], at[to], sizeof at[to]);
+    }
+    return left;
+}
+
 void contours_path(canvas *c, const contours *lines, double x, double y, double step)
 {
     for (int l = 0; l < lines->nloop; l++) {

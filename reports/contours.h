@@ -25,5 +25,9 @@ void contours_free(contours *c);
 // Means over three by three points, 1 2 1 each way; `from` and `to` differ and are of one size.
 void raster_smooth(const raster *from, raster *to);
 
+// Leaves out points of an open line that is nowhere more than `slack` off without them; returns how
+// many are left.
+int line_simplify(int n, double (*at)[2], double slack);
+
 // A path of all loops: raster point (i, j) at (x + step i, y - step j) on the canvas.
 void contours_path(canvas *c, const contours *lines, double x, double y, double step);

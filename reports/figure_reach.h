@@ -8,7 +8,7 @@
 extern const colour REACH_YES, REACH_NO, REACH_OPEN; // reached, not reached, undecided
 
 // from the front (along y), from the side (along -x), from above (along -z)
-enum { REACH_VIEWS = 3 };
+enum { REACH_VIEWS = 3, REACH_BODIES = 40 }; // of a scope, in a picture at most
 camera reach_camera(int view);
 const char *reach_camera_name(int view); // "from the front: x to the right, z up"
 
@@ -25,3 +25,25 @@ void reach_source_line(canvas *c, double x, double y, double width, const run_re
 
 // x, y and z as the camera sees them, from (x, y).
 void reach_axes(canvas *c, const camera *camera, double x, double y);
+
+// --- reports/figure_reach_panel.c
+
+typedef struct reach_side {
+    wall_view view;
+    wall_shade shade;
+    double low[2], high[2]; // what is shown [m]
+} reach_side;
+
+// One view of one scope.
+typedef struct reach_panel {
+    canvas *c;
+    const reach_result *r;
+    const reach_scope_result *scope;
+    const reach_side *side;
+    box at;
+    double scale; // [points per m]
+    double mark;  // radius of a target's mark [points]
+} reach_panel;
+
+void reach_panel_draw(const reach_panel *p);
+void reach_cross_path(canvas *c, const double at[2], double r);

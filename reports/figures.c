@@ -18,6 +18,9 @@ status figures_all(const run_result *r, const char *dir)
     TRY(figure_measured(r, dir));
     TRY(figure_fit(r, dir));
     TRY(figure_reach(r, dir));
+    TRY(figure_reach_clearance(r, dir));
+    TRY(figure_reach_map(r, dir));
+    TRY(figure_design(r, dir));
 
 done:
     return st;

@@ -33,6 +33,12 @@ status figure_fit(const run_result *r,
                   const char *dir); // fit: distances along the line, pairs of fitted numbers
 status figure_reach(const run_result *r,
                     const char *dir); // reach: targets and bodies in the tissue from three sides
+status figure_reach_clearance(const run_result *r,
+                              const char *dir); // reach_clearance: room along each body
+status figure_reach_map(const run_result *r,
+                        const char *dir); // reach_map: what of the wall is reached
+status figure_design(const run_result *r,
+                     const char *dir); // design: score against evaluations, the best design
 status figures_all(const run_result *r, const char *dir);
 
 // One self-contained page DIR/report.html with the figures inlined (SVG), tables and numbers.
