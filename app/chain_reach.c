@@ -3,6 +3,7 @@
 #include "app/chain.h"
 #include "app/reach_case.h"
 #include "app/reach_run.h"
+#include "reach/reach_map.h"
 
 #include <string.h>
 
@@ -21,6 +22,7 @@ static status tell_scene(const case_data *c, const reach_scene *scene, int nscop
     const reach_result sizes = {.nvertex = s->nvertex,
                                 .ntriangle = s->ntriangle,
                                 .ntarget = scene->ntarget,
+                                .nmap = mark_given(r->map.at) ? r->map.points : 0,
                                 .nscope = nscope};
     TRY(reach_result_make(&sizes, out));
     memcpy(out->vertex, s->vertex, (size_t)s->nvertex * sizeof *s->vertex);
@@ -31,6 +33,8 @@ static status tell_scene(const case_data *c, const reach_scene *scene, int nscop
         memcpy(out->target, scene->target, n * sizeof *scene->target);
         memcpy(out->target_depth, scene->depth, n * sizeof *scene->depth);
     }
+    out->map_seed = r->map.seed;
+    TRY(out->nmap > 0 ? surface_samples(s, out->nmap, r->map.seed, out->map_point) : OK);
     (void)snprintf(out->source, sizeof out->source, "%s", r->source ? r->source : "");
     file_name(scene->path, out->tissue, sizeof out->tissue);
     out->synthetic = r->synthetic;
@@ -74,13 +78,15 @@ status chain_reach_with(const command *cmd, const case_data *c, const reach_extr
     reach_scene scene = {0};
     variation base = {0};
     const int n = c->file.reach.scopes.count;
-    const reach_study how = {.c = c, .scene = &scene, .cmd = cmd, .bodies = true};
-    if (c->file.reach.path == REACH_INSERTION || mark_given(c->file.reach.map.at)) {
-        return config_fail(c->config, c->file.reach.at, "neither map nor way in is known here");
+    reach_study how = {.c = c, .scene = &scene, .cmd = cmd, .bodies = true};
+    if (c->file.reach.path == REACH_INSERTION) {
+        return config_fail(c->config, c->file.reach.at, "no way in is known here");
     }
     command_progress(cmd, "tissue and targets");
     TRY(reach_scene_open(c, &scene));
     TRY(tell_scene(c, &scene, n + (extra ? 1 : 0), &out->reach));
+    how.nmap = out->reach.nmap;
+    how.map = (const double(*)[3])out->reach.map_point;
     TRY(reach_base_open(c, out->has_section ? &out->section : NULL, &base));
     for (int i = 0; i < n; i++) {
         TRY(run_scope(&how, &base, i, NULL, &out->reach.scope[i]));

@@ -27,6 +27,11 @@ static void print_scene(const reach_result *r)
            "%s\n",
            r->tip == REACH_TIP_SKIN ? "skin" : "centre", 1e3 * r->tolerance, 1e3 * r->clearance,
            r->path == REACH_INSERTION ? "the whole way in" : "the final pose, not the way there");
+    if (r->nmap > 0) {
+        printf("reach map: %d places on the surface (seed %d), reached where the tip's skin comes "
+               "within %.4g mm\n",
+               r->nmap, r->map_seed, 1e3 * (r->tolerance + r->clearance));
+    }
 }
 
 static void print_joints(const reach_scope_result *s)
@@ -139,7 +144,11 @@ static void print_comparison(const reach_result *r)
            "CPU s");
     for (int i = 0; i < r->nscope; i++) {
         const reach_scope_result *s = &r->scope[i];
-        printf("%-32.60s %8d of %4d", s->name, s->nreached, r->ntarget);
+        if (r->ntarget > 0) {
+            printf("%-32.60s %8d of %4d", s->name, s->nreached, r->ntarget);
+        } else {
+            printf("%-32.60s %16s", s->name, "-");
+        }
         if (r->nmap > 0) {
             printf("  %5.1f +- %.1f %%", 100 * s->area_reached, 100 * s->area_error);
         }

@@ -5,6 +5,7 @@
 #include "app/reach_tell.h"
 #include "base/memory.h"
 #include "base/team.h"
+#include "reach/reach_map.h"
 #include "reach/scope_room.h"
 
 #include <math.h>
@@ -131,6 +132,51 @@ done:
     return st;
 }
 
+// --- the map
+
+static bool map_heard(void *context, double share)
+{
+    const scope_work *w = context;
+    char words[120];
+    (void)snprintf(words, sizeof words, "scope %.60s: reach map, %.0f %%", w->scope->scope.name,
+                   100 * share);
+    if (w->how->cmd) {
+        command_progress(w->how->cmd, words);
+    }
+    return false;
+}
+
+static double share_of(const reach_study *how, const reach_scope_result *r, int state)
+{
+    int n = 0;
+    for (int i = 0; i < how->nmap; i++) {
+        n += r->state[i] == state;
+    }
+    return (double)n / how->nmap;
+}
+
+// a place of the wall is reached where the tip's skin comes within the tolerance of what is to be
+// left
+static status study_map(scope_work *w, reach_scope_result *out)
+{
+    status st = OK;
+    const reach_study *how = w->how;
+    const reach_case *r = &how->c->file.reach;
+    reach_map_options options = reach_map_options_default();
+    reach_map_answer found = {.state = out->state};
+    options.near = w->scope->scope.radius + r->clearance + r->tolerance;
+    options.stop = map_heard;
+    options.context = w;
+    TRY(reach_map(w->inverse, w->state, &w->probe, how->nmap, how->map, &options, &found));
+    out->area_reached = share_of(how, out, MAP_REACHED);
+    out->area_undecided = share_of(how, out, MAP_UNDECIDED);
+    out->area_error = sqrt(out->area_reached * (1 - out->area_reached) / how->nmap);
+    out->map_spacing = found.spacing;
+
+done:
+    return st;
+}
+
 static double cpu_seconds(void)
 {
     double sum = 0;
@@ -182,6 +228,7 @@ status reach_study_scope(const reach_study *how, reach_scope *s, reach_scope_res
         reach_tell_reason(how, s, &out->answer[i]);
     }
     count_reached(ntarget, out);
+    TRY(how->nmap > 0 ? study_map(&w, out) : OK);
     out->seconds = cpu_seconds() - begin;
 
 done:

@@ -8,12 +8,15 @@
 typedef struct reach_study {
     const case_data *c;
     const reach_scene *scene;
-    const command *cmd; // for progress; NULL: none
-    int workers;        // as team_options has it
-    bool bodies;        // samples of the body for pictures, and strains of poses
+    const command *cmd;     // for progress; NULL: none
+    int workers;            // as team_options has it
+    bool bodies;            // samples of the body for pictures, and strains of poses
+    int nmap;               // places of the reach map; 0: none
+    const double (*map)[3]; // [nmap]
 } reach_study;
 
-// Fills `out`, whose answers have room [ntarget]. The answers do not depend on the workers.
+// Fills `out`, whose answers have room [ntarget], and states [nmap]. The answers do not depend on
+// the workers.
 status reach_study_scope(const reach_study *how, reach_scope *s, reach_scope_result *out);
 
 // How finely joints are looked at for a tip's tolerance [m].

@@ -130,6 +130,34 @@ if c["verdict"] != "joint_limit" or c["limit_joint"] != "bend": sys.exit("arc: n
 high = s["limited"]["joints"][2]["high"]
 near(high * r * ro / EI + high / EA, 0.12, 1e-4, "the strain that limits")
 END
+# --- the map of a hook of 60 degrees, which turns about its line: where its end is in the ball, as few lines find it
+
+cat >"$work/map.yaml" <<'END'
+format: 1
+reach:
+  tissue: ball.stl
+  tissue_unit: mm
+  entry: {point_mm: [0, 0, -20], direction: [0, 0, 1]}
+  map: {points: 2000, seed: 1}
+  scopes:
+    - {name: hook, radius_mm: 1.4, insertion_mm: [0, 60], constant_curvature: {length_mm: 14, bend_deg: [60, 60]}}
+END
+expect 0 "$program" reach "$work/map.yaml" --json
+python3 - "$work/out" <<'END' || fail 'the map: not the share that a hook in a ball reaches'
+import json, math, sys
+share = json.load(open(sys.argv[1]))["scopes"][0]["map"]["area_reached_share"]
+R, middle, r, L, bend = 20, 15, 1.4, 14, math.pi / 3
+body = [((1 - math.cos(bend * t / 50)) * L / bend, math.sin(bend * t / 50) * L / bend) for t in range(51)]
+bases = [0.05 * i - 3.5 for i in range(900)] # out of the channel
+ends = [(body[-1][0], z + body[-1][1]) for z in bases if all(math.hypot(x, z + y - middle) <= R - r for x, y in body)]
+def reached(u):
+    return any(math.hypot(R * math.sqrt(1 - u * u) - x, middle + R * u - z) <= r + 1 for x, z in ends)
+n = 1000
+wanted = sum(reached(2 * (i + 0.5) / n - 1) for i in range(n)) / n
+# 2000 places leave an error of 0.4 % to chance, and theirs are more even than that
+if abs(share - wanted) > 0.004 or wanted < 0.03: sys.exit(f"{share}, wanted {wanted}")
+END
+
 # --- what is wrong with a case: exit code 2 and its place
 
 sed 's/ball.stl/small.stl/' "$work/straight.yaml" >"$work/good.yaml"
