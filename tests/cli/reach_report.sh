@@ -41,6 +41,7 @@ reach:
   entry: {point_mm: [0, 0, -8], direction: [0, 0, 1]}
   synthetic: true
   source: made by a test & nobody's
+  map: {points: 200, seed: 3}
   scopes:
     - {name: "arc <i>", radius_mm: 1.4, insertion_mm: [0, 60], constant_curvature: {length_mm: 20, bend_deg: [0, 180]}}
     - {name: rod, radius_mm: 1.4, insertion_mm: [0, 60], rod: {}, tensions_N: [[0, 0.3]], strain_limit: true}
@@ -52,7 +53,7 @@ valid_json "$work/box.json"
 expect 0 "$program" report "$work/first/result.hdf" --out "$work/again"
 out '4 targets in SYNTHETIC anatomy, final poses only'
 out 'the paper prints 14 and 18 of 20'
-for file in reach.csv reach_scopes.csv reach_body.csv report.html; do
+for file in reach.csv reach_scopes.csv reach_body.csv reach_map.csv report.html; do
     cmp -s "$work/first/$file" "$work/again/$file" || fail "$file: not the same from the stored result"
 done
 grep -qF 'The anatomy is synthetic' "$work/again/report.html" || fail 'the page does not say that the anatomy is synthetic'
@@ -80,6 +81,12 @@ if all(a["verdict"] == "reached" for s, a in answers): sys.exit("all is reached"
 scopes = list(csv.DictReader(open(f"{sys.argv[1]}/first/reach_scopes.csv")))
 if [int(r["reached_count"]) for r in scopes] != [s["reached"] for s in told["scopes"]] + [14, 18]: sys.exit("counts")
 if [r["anatomy"] for r in scopes] != ["synthetic"] * 2 + ["a patient's, not published"] * 2: sys.exit("whose anatomy")
+samples = list(csv.DictReader(open(f"{sys.argv[1]}/first/reach_map.csv")))
+if len(samples) != 200: sys.exit("samples")
+for i, s in enumerate(told["scopes"]):
+    n = sum(r[f"scope_{i + 1}_{s['name']}"] == "reached" for r in samples)
+    if abs(n / 200 - s["map"]["area_reached_share"]) > 1e-12: sys.exit(f"{s['name']}: {n} samples, {s['map']}")
+if not 0 < told["scopes"][0]["map"]["area_reached_share"] < 1: sys.exit("share of the wall")
 body = [r for r in csv.DictReader(open(f"{sys.argv[1]}/first/reach_body.csv")) if r["scope"] == "rod"]
 if len(body) != sum(len(a["body"]["s_m"]) for s, a in answers if s["name"] == "rod"): sys.exit("bodies")
 END
