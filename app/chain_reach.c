@@ -65,7 +65,7 @@ static status run_scope(const reach_study *how, variation *base, int i, const re
     st = reach_scene_fits(how->c, how->scene, s.scope.length);
     st = st != OK ? st : reach_study_scope(how, &s, out);
     reach_scope_free(&s);
-    TRY(case_place(how->c, st, case_scope(how->c, i)->at));
+    TRY(reach_scope_tell(how->c, case_scope(how->c, i), st));
 
 done:
     return st;

@@ -102,7 +102,8 @@ static void print_thoroughness(const reach_result *r, const reach_scope_result *
     double room = -INFINITY;
     for (int i = 0; i < r->ntarget; i++) {
         const reach_answer *a = &s->answer[i];
-        const bool is_far = a->verdict == REACH_OUT_OF_REACH || a->verdict == REACH_JOINT_LIMIT;
+        const bool is_far =
+            a->verdict == REACH_OUT_OF_REACH || (a->verdict == REACH_JOINT_LIMIT && a->joint >= 0);
         far = far < 0 && is_far ? i : far;
         if (a->verdict == REACH_COLLISION) {
             touch++;

@@ -92,15 +92,16 @@ done:
 }
 
 // what another case's own words are about has its place there
-static status tell_scope(const case_data *c, const scope_case *said, status st)
+status reach_scope_tell(const case_data *c, const scope_case *said, status st)
 {
-    char words[1024];
-    if (st == OK || st == ERR_INTERRUPTED || !said->rod.file.text) {
-        return case_place(c, st, said->at);
+    char words[1024], place[CONFIG_PLACE_TEXT];
+    const bool other = case_scope_is_rod(said) && said->rod.file.text;
+    const bool told = strstr(status_message(), ": error: ") != NULL;
+    if (st == OK || st == ERR_INTERRUPTED || st == ERR_RESOURCE || (told && !other)) {
+        return st;
     }
     (void)snprintf(words, sizeof words, "%s", status_message());
-    char place[CONFIG_PLACE_TEXT];
-    config_place_text(c->config, said->rod.file.at, place);
+    config_place_text(c->config, said->at, place);
     status_clear();
     return status_fail(st, "%serror: scope '%s': %s", place, said->name, words);
 }
@@ -127,9 +128,14 @@ status reach_scope_check(const case_data *c, int i)
         return OK;
     }
     TRY(collect_settings(said, NULL, &s));
-    TRY(said->rod.file.text ? tell_scope(c, said, read_other(c, said, &s, &other))
+    TRY(said->rod.file.text ? reach_scope_tell(c, said, read_other(c, said, &s, &other))
                             : variation_read(c, &s, said->rod.at, &other));
     TRY(check_tendons(c, said, other.file.rod.tendons.count));
+    if (rod_case_loads(&other.file.rod) > 0) {
+        st = status_fail(ERR_INPUT, "its rod bears loads; a scope's shape may depend on its "
+                                    "tendons only");
+        TRY(reach_scope_tell(c, said, st));
+    }
 
 done:
     case_free(&other);
@@ -145,7 +151,7 @@ static status make_rod_scope(const case_data *c, variation *base, const settings
     const scope_case *said = out->said;
     TRY(collect_settings(said, more, &s));
     if (said->rod.file.text) {
-        TRY(tell_scope(c, said, open_other(c, said, &s, out)));
+        TRY(reach_scope_tell(c, said, open_other(c, said, &s, out)));
     } else {
         out->v = base;
         TRY(varied_make(base, &s, said->rod.at, &out->rod));
@@ -197,7 +203,7 @@ status reach_scope_make(const case_data *c, variation *base, int i, const settin
     }
     TRY(case_place(c, scope_check(&out->scope), said->at));
     if (said->strain_limit && out->scope.njoint == SCOPE_BEND + 1) {
-        TRY(tell_scope(c, said, reach_limit_tension(out)));
+        TRY(reach_scope_tell(c, said, reach_limit_tension(out)));
     }
     return OK;
 

@@ -27,6 +27,10 @@ status reach_scope_make(const case_data *c, variation *base, int i, const settin
                         reach_scope *out);
 void reach_scope_free(reach_scope *s);
 
+// `st` as it is, or with the scope's place and name in front of its words where they have no place
+// of this case.
+status reach_scope_tell(const case_data *c, const scope_case *said, status st);
+
 // Whether scope i could be made: its case is read, nothing is solved.
 status reach_scope_check(const case_data *c, int i);
 

@@ -187,6 +187,9 @@ wrong '11s/constant_curvature: {.*}/rod: {file: none.yaml}, tensions_N: [[0, 1]]
 wrong '11s/constant_curvature: {.*}/rod: {file: other.yaml, set: [rod.lenth_mm=3]}, tensions_N: [[0, 1]]}/' 11 "did you mean"
 wrong '11s/constant_curvature: {.*}/rod: {file: other.yaml}, tensions_N: [[0, 1], [0, 1]]}/' 11 '2 rows of tensions, but its rod has 1 tendon'
 wrong '11s/constant_curvature: {.*}/rod: {file: other.yaml}, tensions_N: [[0, 1]], strain_limit: true}/' 11 'no material has a linear_strain'
+sed 's/^rod: {/&gravity_m_per_s2: [0, 0, -9.81], /; s/nu: 0.45/nu: 0.45, density_kg_per_m3: 1000/' "$work/other.yaml" \
+    >"$work/heavy.yaml"
+wrong '11s/constant_curvature: {.*}/rod: {file: heavy.yaml}, tensions_N: [[0, 1]]}/' 11 'its rod bears loads'
 wrong '2s/.*/rod: {length_mm: 5}/' 2 "key 'section' is missing in the case: its 'rod' needs one"
 wrong 's/direction: .0, 0, 3./direction: [0, 0, 0]/' 7 'has no length'
 wrong 's/direction: .0, 0, 3./towards_mm: [0, 0, -20]/' 7 'goes nowhere'
@@ -198,6 +201,10 @@ wrong 's/\[0, 0, -20\]/[19.2, 0, -20]/' 7 'nowhere room for a shaft'
 wrong '/targets:/d' 3 'nothing to reach'
 wrong 's/tissue_unit: mm/tissue_unit: m/' 4 "is the file's unit another one?"
 wrong 's/tissue_unit: mm/tissue_unit: um/' 4 "is the file's unit another one?"
+sed '11s/constant_curvature: {.*}/rod: {file: other.yaml}, tensions_N: [[0, 50]]}/' "$work/good.yaml" >"$work/bad.yaml"
+expect 4 "$program" reach "$work/bad.yaml"
+err "$work/bad.yaml:11:7: error: scope 'short': "
+one_line
 expect 2 "$program" reach "$source/cases/fig4.yaml"
 err "the case has no 'reach'"
 expect 2 "$program" rod "$work/good.yaml"
