@@ -106,7 +106,9 @@ static void s_axis(const block *b)
 {
     const double bottom = b->at.y + pitch * b->w->nrow;
     const double step = nice_step(1e3 * (b->to - b->from), 6) / 1e3;
-    for (double k = ceil(b->from / step); k * step <= b->to && k < ceil(b->from / step) + 50; k++) {
+    const double first = ceil(b->from / step);
+    for (int i = 0; i < 20 && (first + i) * step <= b->to; i++) {
+        const double k = first + i;
         const double x = s_at(b, k * step);
         canvas_segment(b->c, x, bottom, x, bottom + 4);
         canvas_stroke(b->c, INK_FAINT, 0.8);

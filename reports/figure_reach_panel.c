@@ -7,11 +7,19 @@
 
 enum { MOST_BODIES = REACH_BODIES, MOST_MARKS = 240, MOST_LABELS = 48, BODY_POINTS = 72 };
 
+// what is far off, or no number, goes to somewhere off the panel: long dashed lines take long
+static double near_by(double x, double from, double size)
+{
+    return fmin(fmax(x, from - 30 * size), from + 30 * size);
+}
+
 static void place(const reach_panel *p, const double m[3], double at[2])
 {
     const vec3 seen = camera_see(&p->side->view.camera, reach_vec(m));
-    at[0] = p->at.x + p->scale * (seen.a[0] - p->side->low[0]);
-    at[1] = p->at.y + p->at.h - p->scale * (seen.a[1] - p->side->low[1]);
+    const double x = p->scale * (seen.a[0] - p->side->low[0]),
+                 y = p->scale * (seen.a[1] - p->side->low[1]);
+    at[0] = near_by(p->at.x + x, p->at.x, p->at.w);
+    at[1] = near_by(p->at.y + p->at.h - y, p->at.y, p->at.h);
 }
 
 // --- bodies: all of one look are one path, which keeps the file small
@@ -72,7 +80,7 @@ static void draw_bodies(const reach_panel *p)
     const int n = rod_spread(p->r->ntarget, MOST_BODIES, shown);
     body_paths(p, true);
     canvas_stroke(p->c, (colour){REACH_YES.r, REACH_YES.g, REACH_YES.b, 0.22},
-                  2 * p->scale * p->scope->radius);
+                  fmin(2 * p->scale * p->scope->radius, p->at.w));
     body_paths(p, false);
     canvas_dash(p->c, 5, 3);
     canvas_stroke(p->c, REACH_NO, 1.1);
