@@ -38,6 +38,19 @@ static void keep_least(walk *w, double room, double s, vec3 p, const nearest_poi
     }
 }
 
+// whether what is known of the distance is enough
+static bool settle(walk *w, place *at, vec3 p, double anyway, double settles, distance_range known)
+{
+    const double high = fmax(known.high - w->radius, anyway), least = w->out->least;
+    at->room = fmax(known.low - w->radius, anyway);
+    at->reach = fmin(at->reach, known.reach);
+    if (high < w->below) {
+        keep_least(w, high, at->s, p, &(nearest_point){known.high, p, -1});
+        return true;
+    }
+    return at->room >= least && (at->room >= least + settles || high < least + settles);
+}
+
 // The room at s, where the wall is known to be within `reach`. Where what is known without a search
 // is enough, there is none: it is not the least, and either settles pieces that reach as far as
 // `settles` from it or does not even if the wall is as far away as it may be.
@@ -45,13 +58,10 @@ static place look(walk *w, double s, double reach, double settles)
 {
     const vec3 p = w->body->at(w->body->context, s);
     const double anyway = w->body->anyway ? w->body->anyway(w->body->context, p) : -INFINITY;
-    const distance_range known = distance_between(w->t, p);
-    const double low = fmax(known.low - w->radius, anyway);
-    const double high = fmax(known.high - w->radius, anyway), least = w->out->least;
-    place out = {s, low, fmin(reach, known.reach)};
-    if (high < w->below) {
-        keep_least(w, high, s, p, &(nearest_point){known.high, p, -1});
-    } else if (!(low >= least && (low >= least + settles || high < least + settles))) {
+    place out = {s, anyway, reach};
+    bool enough = settle(w, &out, p, anyway, settles, distance_between(w->t, p));
+    enough = enough || settle(w, &out, p, anyway, settles, distance_between_closely(w->t, p));
+    if (!enough) {
         const nearest_point wall = distance_within(w->t, p, out.reach);
         out.room = fmax(wall.distance - w->radius, anyway);
         out.room = isnan(wall.distance) ? NAN : out.room;

@@ -12,6 +12,10 @@ struct distance_tree {
     const surface *s;
     const embree_door *door;
     box_tree *boxes;
+    struct ball {
+        vec3 middle;
+        double radius;
+    } * ball; // [ntriangle] about the triangles
     distance_grid *grid;
     vec3 *face;   // [ntriangle] unit normals, outward; zero without area
     vec3 *vertex; // [nvertex] angle-weighted
@@ -30,6 +34,23 @@ static void triangle_box(const void *context, int i, double low[3], double high[
                      c = s->vertex[s->triangle[i][2]][d];
         low[d] = fmin(a, fmin(b, c));
         high[d] = fmax(a, fmax(b, c));
+    }
+}
+
+// Wider by what rounding may take from a sum of a few numbers.
+static const double ball_margin = 1 + 1e-12;
+
+static void fill_balls(distance_tree *t)
+{
+    for (int i = 0; i < t->s->ntriangle; i++) {
+        struct ball *b = &t->ball[i];
+        vec3 c[3];
+        surface_corners(t->s, i, c);
+        b->middle = vec3_scale(1.0 / 3, vec3_add(vec3_add(c[0], c[1]), c[2]));
+        for (int k = 0; k < 3; k++) {
+            b->radius = fmax(b->radius, vec3_norm(vec3_sub(c[k], b->middle)));
+        }
+        b->radius *= ball_margin;
     }
 }
 
@@ -64,7 +85,9 @@ status distance_tree_make(const surface *s, distance_tree **out)
     TRY(embree_door_open(&t->door));
     TRY(TAKE(t->face, (size_t)s->ntriangle));
     TRY(TAKE(t->vertex, (size_t)s->nvertex));
+    TRY(TAKE(t->ball, (size_t)s->ntriangle));
     fill_normals(t);
+    fill_balls(t);
     TRY(t->door->make(s->ntriangle, triangle_box, s, &t->boxes));
     TRY(distance_grid_make(s, node_distance, t, &t->grid));
     *out = t;
@@ -82,6 +105,7 @@ void distance_tree_free(distance_tree *t)
             t->door->free(t->boxes);
         }
         distance_grid_free(t->grid);
+        free(t->ball);
         free(t->face);
         free(t->vertex);
         free(t);
@@ -100,8 +124,14 @@ typedef struct search {
 static double look(void *context, int i)
 {
     search *s = context;
+    const struct ball *about = &s->t->ball[i];
     vec3 corner[3];
     int place = 0;
+    const double least = s->radius + about->radius;
+    const vec3 to = vec3_sub(s->p, about->middle);
+    if (vec3_dot(to, to) > least * least) {
+        return s->radius;
+    }
     surface_corners(s->t->s, i, corner);
     const vec3 q = triangle_nearest(corner, s->p, &place);
     const double distance = vec3_norm(vec3_sub(s->p, q));
@@ -147,7 +177,12 @@ static nearest_point search_tree(const distance_tree *t, vec3 p, double radius)
 
 distance_range distance_between(const distance_tree *t, vec3 p)
 {
-    return distance_grid_at(t->grid, p);
+    return distance_grid_nearest(t->grid, p);
+}
+
+distance_range distance_between_closely(const distance_tree *t, vec3 p)
+{
+    return distance_grid_eight(t->grid, p);
 }
 
 nearest_point distance_within(const distance_tree *t, vec3 p, double radius)

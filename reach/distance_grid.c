@@ -97,24 +97,54 @@ static void node_at(const distance_grid *g, grid_node *node, vec3 place, double 
     *wall = node->wall;
 }
 
-distance_range distance_grid_at(distance_grid *g, vec3 p)
+static const distance_range unknown = {-INFINITY, INFINITY, INFINITY};
+
+// narrows the range by what a node says
+static void ask_node(const distance_grid *g, const int i[3], vec3 p, distance_range *range)
 {
-    const distance_range unknown = {-INFINITY, INFINITY, INFINITY};
-    size_t index = 0;
+    const int index = (i[2] * g->n[1] + i[1]) * g->n[0] + i[0];
     vec3 place, wall;
     double distance;
-    for (int d = 2; d >= 0; d--) {
-        const double i = floor((p.a[d] - g->low.a[d]) / g->step + 0.5);
-        if (!(i >= 0 && i < g->n[d])) {
-            return unknown;
-        }
-        place.a[d] = g->low.a[d] + i * g->step;
-        index = index * (size_t)g->n[d] + (size_t)i;
+    for (int d = 0; d < 3; d++) {
+        place.a[d] = g->low.a[d] + i[d] * g->step;
     }
     node_at(g, &g->node[index], place, &distance, &wall);
     const double way = vec3_norm(vec3_sub(p, place));
     const double slip = rounding * (fabs(distance) + way + vec3_norm(p));
-    const double reach = vec3_norm(vec3_sub(p, wall)) + slip;
-    const distance_range out = {distance - way - slip, distance + way + slip, reach};
-    return (distance_range){fmax(out.low, -reach), fmin(out.high, reach), reach};
+    range->reach = fmin(range->reach, vec3_norm(vec3_sub(p, wall)) + slip);
+    range->low = fmax(range->low, fmax(distance - way - slip, -range->reach));
+    range->high = fmin(range->high, fmin(distance + way + slip, range->reach));
+}
+
+distance_range distance_grid_nearest(distance_grid *g, vec3 p)
+{
+    distance_range range = unknown;
+    int i[3];
+    for (int d = 0; d < 3; d++) {
+        const double x = floor((p.a[d] - g->low.a[d]) / g->step + 0.5);
+        if (!(x >= 0 && x < g->n[d])) {
+            return unknown;
+        }
+        i[d] = (int)x;
+    }
+    ask_node(g, i, p, &range);
+    return range;
+}
+
+distance_range distance_grid_eight(distance_grid *g, vec3 p)
+{
+    distance_range range = unknown;
+    int low[3];
+    for (int d = 0; d < 3; d++) {
+        const double x = floor((p.a[d] - g->low.a[d]) / g->step);
+        if (!(x >= 0 && x + 1 < g->n[d])) {
+            return unknown;
+        }
+        low[d] = (int)x;
+    }
+    for (int k = 0; k < 8; k++) {
+        const int i[3] = {low[0] + (k & 1), low[1] + (k >> 1 & 1), low[2] + (k >> 2)};
+        ask_node(g, i, p, &range);
+    }
+    return range;
 }

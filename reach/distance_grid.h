@@ -16,5 +16,8 @@ status distance_grid_make(const surface *s, exact_distance *exact, const void *c
                           distance_grid **out);
 void distance_grid_free(distance_grid *g); // NULL is nothing
 
-// Outside of the box nothing is known: everything, INFINITY.
-distance_range distance_grid_at(distance_grid *g, vec3 p);
+// From the node that is nearest, or from all eight about it, of which one is mostly on the far side
+// from the wall and says three times more. Outside of the box nothing is known: everything,
+// INFINITY.
+distance_range distance_grid_nearest(distance_grid *g, vec3 p);
+distance_range distance_grid_eight(distance_grid *g, vec3 p);

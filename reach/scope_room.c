@@ -64,7 +64,6 @@ static double rough_room(void *context, scope_state *state, const double *q,
     const scope_room *room = context;
     clearance_wish w = *wish;
     clearance c = {0};
-    w.tolerance = fmax(w.tolerance, room->tolerance);
     w.below += room->leave;
     roughly(room, state, q, &w, &c);
     *s = c.s;
