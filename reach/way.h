@@ -12,7 +12,7 @@ typedef struct way_answer {
     bool straight; // insert first, then bend: nothing else was needed
     double room;   // nowhere on the way is there less, certified between its poses too, to half the
                  // resolution [m]; where none is found: of the widest way among the poses looked at
-    int npose; // [npoint] from the least insertion, unbent, to the pose; 0: none found
+    int npose; // from the least insertion, unbent, to the pose; 0: none found
     double q[WAY_POSES][SCOPE_JOINTS];
     int looks;
 } way_answer;
