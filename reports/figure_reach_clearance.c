@@ -7,10 +7,10 @@
 #include <math.h>
 #include <stdio.h>
 
-enum { ROWS = 40, LEVELS = 7, NONE = -1, ACROSS = 2 };
+enum { ROWS = 40, LEVELS = 7, NONE = LEVELS, ACROSS = 2 };
 
 static const double side = 28, head = 124, foot = 22, sheet_width = 1040, gap = 26, title = 36,
-                    axis = 44, strip = 9, pitch = 13, names = 30, words_width = 122;
+                    axis = 44, strip = 9, pitch = 13, names = 30, words_width = 92;
 
 typedef struct strips {
     const run_result *r;
@@ -29,13 +29,16 @@ typedef struct block {
 
 static colour level_ink(int level)
 {
-    return level == 0 ? INK_ACCENT : colour_ramp((level - 1.0) / (LEVELS - 2));
+    return level == NONE ? INK_GRID
+           : level == 0  ? INK_ACCENT
+                         : colour_ramp((level - 1.0) / (LEVELS - 2));
 }
 
-// 0: less than what is asked for, then up the ramp
-static int level_of(const strips *w, double room)
+// 0: less than what is asked for, then up the ramp; last: not looked at
+static int level_of(const strips *w, const reach_answer *a, int point)
 {
-    if (isnan(room)) {
+    const double room = a->room[point];
+    if (isnan(room) || !reach_is_looked_at(&w->r->reach, a, point)) {
         return NONE;
     }
     const double least = w->r->reach.clearance;
@@ -61,11 +64,10 @@ static void strip_path(const block *b, int row, int level)
 {
     const reach_answer *a = &b->scope->answer[b->w->row[row]];
     for (int k = 0, end; k < a->npoint; k = end) {
-        for (end = k + 1;
-             end < a->npoint && level_of(b->w, a->room[end]) == level_of(b->w, a->room[k]);) {
+        for (end = k + 1; end < a->npoint && level_of(b->w, a, end) == level_of(b->w, a, k);) {
             end++;
         }
-        if (level_of(b->w, a->room[k]) == level) {
+        if (level_of(b->w, a, k) == level) {
             const double x = begin_of(b, a, k);
             canvas_rectangle(b->c, x, b->at.y + pitch * row, begin_of(b, a, end) - x, strip);
         }
@@ -83,7 +85,7 @@ static void row_words(const block *b, int row)
     say(b->c, b->at.x - 8, y, look_aligned(look, TEXT_RIGHT), "%s %d", reached ? "●" : "×",
         target + 1);
     if (a->npoint > 0 && isfinite(a->clearance)) {
-        say(b->c, b->at.x + b->at.w + 8, y, look, "%s mm at s = %s",
+        say(b->c, b->at.x + b->at.w + 8, y, look, "%s at %s",
             number_fixed(1e3 * a->clearance, 2).text, number_fixed(1e3 * a->s, 1).text);
     } else {
         say(b->c, b->at.x + b->at.w + 8, y, look, "%s", reach_verdict_words(a->verdict));
@@ -145,7 +147,7 @@ static void scope_block(canvas *c, const strips *w, int scope)
         return;
     }
     canvas_clip(c, at.x - 1, at.y - 5, at.w + 2, at.h + 5);
-    for (int level = 0; level < LEVELS; level++) {
+    for (int level = 0; level <= NONE; level++) {
         for (int i = 0; i < w->nrow; i++) {
             strip_path(&b, i, level);
         }
@@ -172,7 +174,7 @@ static void ramp_key(canvas *c, const strips *w, double x, double y)
         }
     }
     say(c, x + wide * LEVELS + 10, y, LOOK_SMALL,
-        "mm between skin and tissue; red: %s. The triangle points to the least.",
+        "mm between skin and tissue; red: %s; grey: not looked at. The least, and s where it is.",
         least > 0 ? "less than asked for" : "within the tissue");
 }
 

@@ -14,7 +14,7 @@
 #include <stdlib.h>
 
 enum {
-    TRIANGLES = 16000,  // of the tissue: the page stays small
+    TRIANGLES = 10000,  // of the tissue: the page stays small
     TARGETS = 120,      // that are shown
     BODY_POINTS = 48,   // of a body
     MOST_POINTS = 60000 // of all bodies and ways together
@@ -120,7 +120,7 @@ static status put_body(reach_scene *w, int scope, int shown, const reach_answer 
         for (int d = 0; d < 3; d++) {
             point[i][d] = a->point[pick[i]][d];
         }
-        room[i] = 1e3 * a->room[pick[i]];
+        room[i] = reach_is_looked_at(w->r, a, pick[i]) ? 1e3 * a->room[pick[i]] : NAN;
     }
     w->points -= n;
     TRY(scene_tube(w->s, at, n, (const double(*)[3])point, room, s->radius,
@@ -260,7 +260,7 @@ static status put_all(reach_scene *w)
     TRY(scene_key(w->s, LAYER_TARGETS, REACH_YES, "target reached"));
     TRY(scene_key(w->s, LAYER_TARGETS, INK_ACCENT, "not reached"));
     for (int i = 0; i < w->r->nscope; i++) {
-        TRY(put_targets(w, i, 0.35 * fmax(w->r->scope[i].radius, w->r->tolerance)));
+        TRY(put_targets(w, i, 0.5 * fmax(w->r->scope[i].radius, w->r->tolerance)));
         TRY(put_scope(w, i));
     }
 
@@ -293,11 +293,13 @@ status page_reach_view(bytes *page, const run_result *r)
     TRY(open_scene(&w));
     if (w.s) {
         TRY(put_all(&w));
-        TRY(scene_close(w.s,
-                        "Drag to turn, two fingers or shift to move; on the keyboard arrows turn, "
-                        "+ and − zoom, 0 begins again. Bodies are coloured by their clearance; "
-                        "the near side of the tissue is made of glass.",
-                        page));
+        TRY(scene_close(
+            w.s,
+            "Drag to turn, two fingers or shift to move; on the keyboard arrows turn, "
+            "+ and − zoom, 0 begins again. Bodies are coloured by their clearance, grey "
+            "where the shaft is not looked at; "
+            "the near side of the tissue is made of glass.",
+            page));
     }
 
 done:

@@ -73,7 +73,7 @@ done:
     return st;
 }
 
-// 0: less than 0; 1 .. 255: from 0 to value_most
+// 0: less than 0; 1 .. 254: from 0 to value_most; 255: no number
 static status put_values(scene *s, const char *key, int n, const double *value)
 {
     status st = OK;
@@ -81,7 +81,7 @@ static status put_values(scene *s, const char *key, int n, const double *value)
     TRY(TAKE(step, (size_t)n));
     for (int i = 0; i < n; i++) {
         const double share = value[i] / s->value_most;
-        step[i] = value[i] < 0 ? 0 : (unsigned char)(1 + 254 * (share < 1 ? share : 1));
+        step[i] = value[i] < 0 ? 0 : (unsigned char)(1 + 253 * (share < 1 ? share : 1));
         step[i] = isnan(value[i]) ? 255 : step[i];
     }
     TRY(put_packed(s, key, step, (size_t)n));
@@ -162,6 +162,7 @@ static void put_head(scene *s, const scene_spec *spec)
         json_real(s->j, "most", spec->value_most);
         put_colours(s, "colours", KNOTS, ramp);
         put_colour(s, "below", INK_ACCENT);
+        put_colour(s, "none", INK_FAINT);
         json_object_end(s->j);
     }
     json_array(s->j, "items");
@@ -343,17 +344,17 @@ status scene_key(scene *s, int layer, colour ink, const char *words)
 
 // --- into the page
 
-// what ends a script or begins a comment there cannot stand in a text any more
+// what ends a script or begins a comment there cannot stand in a text any more; line ends and the
+// spaces after them, of which texts have none, are left off
 static status put_data(const char *text, size_t length, bytes *page)
 {
     status st = OK;
-    for (size_t i = 0, plain; i < length; i += plain + 1) {
-        plain = 0;
-        while (i + plain < length && text[i + plain] != '<') {
-            plain++;
-        }
+    for (size_t i = 0; i < length;) {
+        const size_t plain = strcspn(text + i, "<\n");
         TRY(bytes_append(page, text + i, plain));
-        TRY(i + plain < length ? bytes_text(page, "\\u003c") : OK);
+        i += plain;
+        TRY(text[i] == '<' ? bytes_text(page, "\\u003c") : OK);
+        i += text[i] == '\n' ? 1 + strspn(text + i + 1, " ") : 1;
     }
 
 done:

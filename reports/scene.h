@@ -53,7 +53,8 @@ status scene_wall(scene *s, scene_place at, int nvertex, const double (*vertex)[
 status scene_paint(scene *s, scene_place at, int nvertex, const unsigned char *kind, int nink,
                    const colour *ink);
 
-// A tube; value [npoint]: coloured by it, NULL: in one colour. Less than 0 stands out.
+// A tube; value [npoint]: coloured by it, NULL: in one colour. Less than 0 stands out, what is
+// no number is grey.
 status scene_tube(scene *s, scene_place at, int npoint, const double (*point)[3],
                   const double *value, double radius, colour ink);
 // The same going through poses: point [nframe npoint]; a slider shows one of them.

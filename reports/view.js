@@ -93,12 +93,15 @@
         return geometry;
     }
 
-    // 0: below; 1 .. 255: along the ramp
+    // 0: below; 1 .. 254: along the ramp; 255: no number
     function rampColour(ramp, value) {
         if (value === 0) {
             return new THREE.Color(ramp.below);
         }
-        const at = (value - 1) / 254 * (ramp.colours.length - 1);
+        if (value === 255) {
+            return new THREE.Color(ramp.none);
+        }
+        const at = (value - 1) / 253 * (ramp.colours.length - 1);
         const i = Math.min(Math.floor(at), ramp.colours.length - 2);
         return new THREE.Color(ramp.colours[i]).lerp(new THREE.Color(ramp.colours[i + 1]), at - i);
     }
@@ -238,14 +241,14 @@
                                : window.addEventListener("resize", again));
     };
 
-    // the ball around the walls, or around all there is
+    // the ball around the wall, or around all there is
     View.prototype.measure = function () {
-        const box = new THREE.Box3(), walls = this.items.filter((i) => i.item.kind === "wall");
-        (walls.length ? walls : this.items).forEach((i) => {
-            if (i.object) {
-                box.expandByObject(i.object);
-            }
-        });
+        const wall = this.items.filter((i) => i.item.kind === "wall")[0], box = new THREE.Box3();
+        if (wall) {
+            wall.object.children[0].geometry.computeBoundingSphere();
+            return wall.object.children[0].geometry.boundingSphere;
+        }
+        this.items.filter((i) => i.object).forEach((i) => box.expandByObject(i.object));
         return box.getBoundingSphere(new THREE.Sphere());
     };
 
@@ -529,7 +532,7 @@
             return;
         }
         const half = Math.tan(this.camera.fov * Math.PI / 360) * Math.min(1, w / h);
-        const away = 1.08 * this.away * this.extent.radius / Math.sin(Math.atan(half));
+        const away = 0.95 * this.away * this.extent.radius / Math.sin(Math.atan(half));
         const flat = Math.cos(this.height);
         this.renderer.setSize(w, h, false);
         this.camera.aspect = w / h;
