@@ -79,9 +79,6 @@ status chain_reach_with(const command *cmd, const case_data *c, const reach_extr
     variation base = {0};
     const int n = c->file.reach.scopes.count;
     reach_study how = {.c = c, .scene = &scene, .cmd = cmd, .bodies = true};
-    if (c->file.reach.path == REACH_INSERTION) {
-        return config_fail(c->config, c->file.reach.at, "no way in is known here");
-    }
     command_progress(cmd, "tissue and targets");
     TRY(reach_scene_open(c, &scene));
     TRY(tell_scene(c, &scene, n + (extra ? 1 : 0), &out->reach));

@@ -2,19 +2,15 @@
 // Which targets a scope reaches, docs/theory.md section 10: search, then what is told of the pose.
 #include "app/reach_run.h"
 
+#include "app/reach_target.h"
 #include "app/reach_tell.h"
 #include "base/memory.h"
 #include "base/team.h"
 #include "reach/reach_map.h"
-#include "reach/scope_room.h"
 
 #include <math.h>
 #include <string.h>
 #include <sys/resource.h>
-
-// Parts of the resolution: how well a look knows the body's room, which is from above, so that what
-// is proved is proved; and how well that of a pose is known that is told, which decides.
-static const double of_look = 0.05, of_answer = 0.005;
 
 // A resolution is a twentieth of the tolerance: what is left undivided is far less than what the
 // tip may be off.
@@ -25,110 +21,57 @@ double reach_resolution(double tolerance)
     return fmin(search_options_default().resolution, of_tolerance * tolerance);
 }
 
-// --- one target, in a worker
-
-typedef struct scope_work {
-    const reach_study *how;
-    const reach_scope *scope;
-    inverse *inverse;
-    scope_state *state;
-    scope_room room;
-    room_probe probe; // of that
-    search_options options;
-    int first; // target of the first item
-} scope_work;
-
-static status measure_pose(const scope_work *w, reach_answer *a)
-{
-    status st = OK;
-    clearance c = {0};
-    scope_room fine = w->room;
-    fine.tolerance *= of_answer / of_look;
-    TRY(scope_bend(w->state, a->q));
-    scope_clearance(&fine, w->state, a->q, &c);
-    a->clearance = c.least;
-    a->s = c.s;
-    a->verdict = c.least >= w->room.leave ? REACH_REACHED : REACH_COLLISION;
-
-done:
-    return st;
-}
-
-static status search_target(const scope_work *w, vec3 target, reach_answer *a)
-{
-    status st = OK;
-    search_answer found;
-    TRY(search_solve(w->inverse, w->state, target, &w->probe, &w->options, &found));
-    a->verdict = found.verdict;
-    memcpy(a->q, found.pose.q, sizeof a->q);
-    a->miss = found.pose.miss;
-    a->bound = found.bound + w->room.leave;
-    a->joint = found.joint;
-    a->looks = found.looks;
-    a->starts = found.starts;
-    if (found.verdict == SEARCH_REACHED || found.verdict == SEARCH_COLLISION) {
-        TRY(measure_pose(w, a));
-    }
-
-done:
-    return st;
-}
-
-static status one_target(void *context, int item, void *result)
-{
-    const scope_work *w = context;
-    reach_answer *a = result;
-    const double *p = w->how->scene->target[w->first + item];
-    *a = (reach_answer){.clearance = NAN,
-                        .s = NAN,
-                        .miss = NAN,
-                        .bound = INFINITY,
-                        .joint = -1,
-                        .strain = NAN,
-                        .path_clearance = NAN};
-    const status st = search_target(w, (vec3){{p[0], p[1], p[2]}}, a);
-    if (st == ERR_NUMERIC) {
-        a->verdict = REACH_FAILED;
-        (void)snprintf(a->why, sizeof a->why, "%s", status_message());
-        status_clear();
-        return OK;
-    }
-    return st;
-}
-
 // --- all targets
 
 static status heard(void *context, int done, int count)
 {
-    const scope_work *w = context;
+    const reach_work *w = context;
     char words[120];
-    (void)snprintf(words, sizeof words, "scope %.60s: %d of %d targets", w->scope->scope.name, done,
-                   count);
+    (void)count;
+    (void)snprintf(words, sizeof words, "scope %.60s: %d of %d targets", w->scope->scope.name,
+                   w->first + done, w->how->scene->ntarget);
     if (w->how->cmd) {
         command_progress(w->how->cmd, words);
     }
     return OK;
 }
 
-static status make_work(const reach_study *how, const reach_scope *s, scope_work *w)
+// targets at a time: a way in takes 40 kB
+enum { CHUNK = 256 };
+
+static status keep_found(const reach_work *w, const target_found *found, reach_answer *a)
 {
     status st = OK;
-    const reach_case *r = &how->c->file.reach;
-    const double skin = r->tip == REACH_TIP_SKIN ? s->scope.radius : 0;
-    const double resolution = reach_resolution(r->tolerance);
-    *w = (scope_work){.how = how, .scope = s, .options = search_options_default()};
-    w->options.tolerance = r->tolerance + skin;
-    w->options.resolution = resolution;
-    w->room = (scope_room){.tree = how->scene->tree,
-                           .tolerance = of_look * resolution,
-                           .free_entry = how->scene->free,
-                           .shaft_free = how->scene->shaft_free,
-                           .leave = r->clearance};
-    w->probe = scope_room_probe(&w->room);
-    TRY(scope_state_make(&s->scope, &how->scene->entry, &w->state));
-    TRY(inverse_make(&s->scope, &w->inverse));
+    const bool body = w->how->bodies && found->answer.verdict != REACH_FAILED;
+    *a = found->answer;
+    TRY(reach_answer_room(a, body ? REACH_BODY_POINTS : 0, found->npath));
+    memcpy(a->path, found->path, (size_t)found->npath * sizeof *a->path);
 
 done:
+    return st;
+}
+
+static status search_all(reach_work *w, reach_scope_result *out)
+{
+    status st = OK;
+    const team_options team = {.workers = w->how->workers, .heard = heard, .context = w};
+    const size_t size = target_found_size(w);
+    const int ntarget = w->how->scene->ntarget;
+    unsigned char *found = NULL;
+    TRY(TAKE(found, CHUNK * size));
+    for (w->first = 0; w->first < ntarget; w->first += CHUNK) {
+        const int n = ntarget - w->first < CHUNK ? ntarget - w->first : CHUNK;
+        memset(found, 0, CHUNK * size);
+        TRY(team_map(reach_target, w, n, size, &team, found));
+        for (int i = 0; i < n; i++) {
+            const target_found *one =
+                (const target_found *)(const void *)(found + (size_t)i * size);
+            TRY(keep_found(w, one, &out->answer[w->first + i]));
+        }
+    }
+
+done:
+    free(found);
     return st;
 }
 
@@ -136,7 +79,7 @@ done:
 
 static bool map_heard(void *context, double share)
 {
-    const scope_work *w = context;
+    const reach_work *w = context;
     char words[120];
     (void)snprintf(words, sizeof words, "scope %.60s: reach map, %.0f %%", w->scope->scope.name,
                    100 * share);
@@ -157,7 +100,7 @@ static double share_of(const reach_study *how, const reach_scope_result *r, int 
 
 // a place of the wall is reached where the tip's skin comes within the tolerance of what is to be
 // left
-static status study_map(scope_work *w, reach_scope_result *out)
+static status study_map(reach_work *w, reach_scope_result *out)
 {
     status st = OK;
     const reach_study *how = w->how;
@@ -189,7 +132,7 @@ static double cpu_seconds(void)
     return sum;
 }
 
-static void tell_scope(const scope_work *w, reach_scope_result *out)
+static void tell_scope(const reach_work *w, reach_scope_result *out)
 {
     const scope *s = &w->scope->scope;
     (void)snprintf(out->name, sizeof out->name, "%s", s->name);
@@ -215,13 +158,12 @@ static void count_reached(int ntarget, reach_scope_result *out)
 status reach_study_scope(const reach_study *how, reach_scope *s, reach_scope_result *out)
 {
     status st = OK;
-    scope_work w = {0};
+    reach_work w = {0};
     const int ntarget = how->scene->ntarget;
     const double begin = cpu_seconds();
-    TRY(make_work(how, s, &w));
+    TRY(reach_work_make(how, s, &w));
     tell_scope(&w, out);
-    const team_options team = {.workers = how->workers, .heard = heard, .context = &w};
-    TRY(team_map(one_target, &w, ntarget, sizeof *out->answer, &team, out->answer));
+    TRY(search_all(&w, out));
     TRY(reach_tell_strains(how, s, out));
     for (int i = 0; i < ntarget; i++) {
         TRY(how->bodies ? reach_tell_body(how, w.state, &out->answer[i]) : OK);
@@ -232,7 +174,6 @@ status reach_study_scope(const reach_study *how, reach_scope *s, reach_scope_res
     out->seconds = cpu_seconds() - begin;
 
 done:
-    inverse_free(w.inverse);
-    scope_state_free(w.state);
+    reach_work_free(&w);
     return st;
 }

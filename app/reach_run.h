@@ -15,6 +15,9 @@ typedef struct reach_study {
     const double (*map)[3]; // [nmap]
 } reach_study;
 
+// points of a body that is shown, from the entry to the tip
+enum { REACH_BODY_POINTS = 61 };
+
 // Fills `out`, whose answers have room [ntarget], and states [nmap]. The answers do not depend on
 // the workers.
 status reach_study_scope(const reach_study *how, reach_scope *s, reach_scope_result *out);

@@ -74,17 +74,38 @@ done:
 // --- the body
 
 // points of the straight shaft, and of the tip, whose last one is its end
-enum { SHAFT_POINTS = 12, TIP_POINTS = 49 };
+enum { SHAFT_POINTS = 12, TIP_POINTS = REACH_BODY_POINTS - SHAFT_POINTS };
+
+static status tell_way(scope_state *state, reach_answer *a)
+{
+    status st = OK;
+    const double length = scope_of(state)->length;
+    const int n = a->npath < REACH_WAY_STEPS ? a->npath : REACH_WAY_STEPS;
+    TRY(reach_answer_way(a, n));
+    for (int i = 0; i < n; i++) {
+        const double *q = a->path[n > 1 ? (long)i * (a->npath - 1) / (n - 1) : 0];
+        const double entry = fmin(-q[SCOPE_INSERTION], 0);
+        TRY(scope_bend(state, q));
+        for (int k = 0; k < REACH_WAY_POINTS; k++) {
+            const double s = entry + (length - entry) * k / (REACH_WAY_POINTS - 1);
+            const vec3 p = scope_point(state, q, s);
+            memcpy(a->way[i][k], p.a, sizeof a->way[i][k]);
+        }
+    }
+
+done:
+    return st;
+}
 
 status reach_tell_body(const reach_study *how, scope_state *state, reach_answer *a)
 {
     status st = OK;
     const scope *s = scope_of(state);
-    if (a->verdict == REACH_FAILED) {
+    if (a->npoint == 0) {
         return OK;
     }
+    TRY(a->npath > 0 ? tell_way(state, a) : OK);
     TRY(scope_bend(state, a->q));
-    TRY(reach_answer_room(a, SHAFT_POINTS + TIP_POINTS, a->npath));
     const double entry = fmin(-a->q[SCOPE_INSERTION], 0);
     for (int i = 0; i < a->npoint; i++) {
         const double t = i - SHAFT_POINTS;
@@ -150,6 +171,11 @@ void reach_tell_reason(const reach_study *how, const reach_scope *s, reach_answe
         break;
     case REACH_COLLISION:
         collision_reason(r->clearance, a);
+        break;
+    case REACH_NO_WAY:
+        (void)snprintf(a->why, sizeof a->why,
+                       "no way in was found to this pose, the widest leaves %.3g mm",
+                       1e3 * a->path_clearance);
         break;
     default:
         break;

@@ -9,7 +9,8 @@
 // count as reached where the case says so.
 status reach_tell_strains(const reach_study *how, reach_scope *s, reach_scope_result *r);
 
-// Samples of the body from the entry to the tip, and the room at each.
+// Samples of the body from the entry to the tip [a->npoint], and the room at each; of the way in
+// some bodies too.
 status reach_tell_body(const reach_study *how, scope_state *state, reach_answer *a);
 
 // a->why where the target is not reached, and what of the tip `miss` is about.
