@@ -70,6 +70,9 @@ static void print_answer(const reach_result *r, const reach_scope_result *s, int
            reach_verdict_words(a->verdict));
     put(8, 3, 1e3 * a->miss);
     put(8, 3, 1e3 * a->clearance);
+    if (r->path == REACH_INSERTION) {
+        put(8, 3, 1e3 * a->path_clearance);
+    }
     put(9, 2, 1e3 * a->q[SCOPE_INSERTION]);
     put(8, 1, a->q[SCOPE_TURN] / degree);
     for (int k = SCOPE_BEND; k < s->njoint; k++) {
@@ -81,11 +84,11 @@ static void print_answer(const reach_result *r, const reach_scope_result *s, int
     printf("%s%s\n", a->why[0] ? "  " : "", a->why);
 }
 
-static void print_names(const reach_scope_result *s, int width)
+static void print_names(const reach_result *r, const reach_scope_result *s, int width)
 {
     char joint[24];
-    printf("  %-*s %-12s %8s %8s %9s %8s", width, "target", "", "miss mm", "room mm", "insert mm",
-           "turn deg");
+    printf("  %-*s %-12s %8s %8s%s %9s %8s", width, "target", "", "miss mm", "room mm",
+           r->path == REACH_INSERTION ? "  on way" : "", "insert mm", "turn deg");
     for (int i = SCOPE_BEND; i < s->njoint; i++) {
         (void)snprintf(joint, sizeof joint, s->njoint > SCOPE_BEND + 1 ? "pull%d N" : "pull N",
                        i - SCOPE_BEND + 1);
@@ -131,7 +134,7 @@ static void print_scope(const reach_result *r, const reach_scope_result *s)
     const int width = name_width(r);
     print_joints(s);
     if (r->ntarget > 0) {
-        print_names(s, width);
+        print_names(r, s, width);
     }
     for (int i = 0; i < r->ntarget; i++) {
         print_answer(r, s, i, width);

@@ -6,8 +6,9 @@
 #include <string.h>
 
 // Parts of the resolution: how well a look knows the body's room, which is from above, so that what
-// is proved is proved; and how well that of a pose is known that is told, which decides.
-static const double of_look = 0.05, of_answer = 0.005;
+// is proved is proved; how well that of a pose is known that is told, which decides; and that of a
+// way's poses.
+static const double of_look = 0.05, of_answer = 0.005, of_way = 0.5;
 
 // looks at the room for one way in
 enum { WAY_LOOKS = 20000 };
@@ -96,8 +97,11 @@ static status find_way(const reach_work *w, target_found *out)
 {
     status st = OK;
     way_answer way;
+    scope_room coarse = w->room;
+    coarse.tolerance *= of_way / of_look;
+    const room_probe probe = scope_room_probe(&coarse);
     reach_answer *a = &out->answer;
-    TRY(way_find(w->state, &w->probe, a->q, 0, w->options.resolution, WAY_LOOKS, &way));
+    TRY(way_find(w->state, &probe, a->q, 0, w->options.resolution, WAY_LOOKS, &way));
     a->path_clearance = way.room + w->room.leave;
     if (!way.found) {
         a->verdict = REACH_NO_WAY;

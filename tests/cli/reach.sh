@@ -80,6 +80,8 @@ expect 0 "$program" reach "$work/bent.yaml" --json
 cp "$work/out" "$work/bent.json"
 expect 0 "$program" reach "$work/file.yaml" --json
 cp "$work/out" "$work/file.json"
+expect 0 "$program" reach "$work/bent.yaml" --set reach.path=insertion --json
+cp "$work/out" "$work/way.json"
 expect 0 "$program" reach "$work/bent.yaml"
 out "there 'soft' is strained by its 12 %"
 
@@ -124,6 +126,14 @@ for i in range(2):
     near(a["strain"], T * r * ro / EI + T / EA, 1e-3 * a["strain"], "strain")
     for b in s["stiffer"]["answers"][i], other["stiffer"]["answers"][i]:
         near(b["pose"]["tensions_N"][0], 2 * T, 1e-6 * T, "twice as stiff")
+    for name in s:
+        a, b = s[name]["answers"][i], read("way")[name]["answers"][i]
+        if a["verdict"] != b["verdict"]: sys.exit(f"{name}: {b['verdict']} by the whole way in")
+        if b["verdict"] == "reached":
+            way = b["way_in"]["joints"]
+            if way[0][0] != 0 or way[0][2] != 0: sys.exit("a way in that does not begin outside")
+            near(max(abs(x - y) for x, y in zip(way[-1], list(b["pose"].values())[:2])), 0, 1e-12, "the way's end")
+            if not 0 <= b["way_in"]["clearance_m"] <= b["clearance_m"] + 3e-5: sys.exit("no room on the way")
 c = s["arc"]["answers"][2]
 near(c["miss_m"], 8e-3 - (1 - math.cos(80 * math.pi / 180)) * L / (80 * math.pi / 180), 1e-7, "past the arc's bend")
 if c["verdict"] != "joint_limit" or c["limit_joint"] != "bend": sys.exit("arc: not limited by its bend")
