@@ -93,10 +93,10 @@ static void split(walk *w, const piece *c, piece half[2])
 }
 
 // two pieces about the place that is looked at first
-static int whole_body(walk *w, double first, piece out[2])
+static int whole_body(walk *w, double first, double above, piece out[2])
 {
     const double begin = w->body->begin, end = w->body->end;
-    *w->out = (clearance){.least = INFINITY, .bound = INFINITY};
+    *w->out = (clearance){.least = above, .bound = above, .s = first};
     first = first > begin && first < end ? first : begin;
     const place middle = look(w, first, INFINITY, 0), last = look(w, end, INFINITY, 0);
     out[0] = (piece){middle, last};
@@ -111,7 +111,7 @@ void clearance_until(const distance_tree *t, const body_curve *body, double radi
 {
     walk w = {.t = t, .body = body, .radius = radius, .below = wish->below, .out = out};
     piece todo[LEVELS + 2];
-    int n = whole_body(&w, wish->first, todo);
+    int n = whole_body(&w, wish->first, wish->above > 0 ? wish->above : INFINITY, todo);
     while (n > 0 && out->least >= wish->below) {
         const piece c = todo[--n];
         const double bound = piece_bound(&w, &c);
@@ -143,7 +143,7 @@ bool clearance_is_free(const distance_tree *t, const body_curve *body, double ra
     clearance own;
     walk w = {.t = t, .body = body, .radius = radius, .below = -INFINITY, .out = at ? at : &own};
     piece todo[LEVELS + 1];
-    (void)whole_body(&w, body->begin, todo);
+    (void)whole_body(&w, body->begin, INFINITY, todo);
     for (int n = 1; n > 0 && w.out->least >= least;) {
         const piece c = todo[--n];
         const double bound = piece_bound(&w, &c);

@@ -37,6 +37,7 @@ void clearance_along(const distance_tree *t, const body_curve *body, double radi
 // `first` is near the one where it is least.
 typedef struct clearance_wish {
     double tolerance, below, first;
+    double above; // > 0: a clearance of more is told as this one, which is quicker too; 0: as it is
 } clearance_wish;
 void clearance_until(const distance_tree *t, const body_curve *body, double radius,
                      const clearance_wish *wish, clearance *out);

@@ -8,14 +8,17 @@
 
 #include <math.h>
 
+// A disc about a triangle: no point of it is nearer than the disc's plane, nor than its rim.
+typedef struct disc {
+    vec3 middle, normal;
+    double radius;
+} disc;
+
 struct distance_tree {
     const surface *s;
     const embree_door *door;
     box_tree *boxes;
-    struct ball {
-        vec3 middle;
-        double radius;
-    } * ball; // [ntriangle] about the triangles
+    disc *disc; // [ntriangle] about the triangles
     distance_grid *grid;
     vec3 *face;   // [ntriangle] unit normals, outward; zero without area
     vec3 *vertex; // [nvertex] angle-weighted
@@ -37,21 +40,32 @@ static void triangle_box(const void *context, int i, double low[3], double high[
     }
 }
 
-// Wider by what rounding may take from a sum of a few numbers.
-static const double ball_margin = 1 + 1e-12;
+// Wider by what rounding may take from a sum of a few numbers; squares of lengths by more than it
+// may take from their differences.
+static const double disc_margin = 1 + 1e-12, disc_slip = 1e-12;
 
-static void fill_balls(distance_tree *t)
+static void fill_discs(distance_tree *t)
 {
     for (int i = 0; i < t->s->ntriangle; i++) {
-        struct ball *b = &t->ball[i];
+        disc *b = &t->disc[i];
         vec3 c[3];
         surface_corners(t->s, i, c);
         b->middle = vec3_scale(1.0 / 3, vec3_add(vec3_add(c[0], c[1]), c[2]));
+        b->normal = t->face[i];
         for (int k = 0; k < 3; k++) {
             b->radius = fmax(b->radius, vec3_norm(vec3_sub(c[k], b->middle)));
         }
-        b->radius *= ball_margin;
+        b->radius *= disc_margin;
     }
+}
+
+// whether nothing of the triangle is within the radius
+static bool is_beyond(const disc *d, vec3 p, double radius)
+{
+    const vec3 to = vec3_sub(p, d->middle);
+    const double square = vec3_dot(to, to), off = vec3_dot(to, d->normal);
+    const double aside = sqrt(fmax(square - off * off, 0)) - d->radius;
+    return off * off + (aside > 0 ? aside * aside : 0) > radius * radius + disc_slip * square;
 }
 
 static void fill_normals(distance_tree *t)
@@ -85,9 +99,9 @@ status distance_tree_make(const surface *s, distance_tree **out)
     TRY(embree_door_open(&t->door));
     TRY(TAKE(t->face, (size_t)s->ntriangle));
     TRY(TAKE(t->vertex, (size_t)s->nvertex));
-    TRY(TAKE(t->ball, (size_t)s->ntriangle));
+    TRY(TAKE(t->disc, (size_t)s->ntriangle));
     fill_normals(t);
-    fill_balls(t);
+    fill_discs(t);
     TRY(t->door->make(s->ntriangle, triangle_box, s, &t->boxes));
     TRY(distance_grid_make(s, node_distance, t, &t->grid));
     *out = t;
@@ -105,7 +119,7 @@ void distance_tree_free(distance_tree *t)
             t->door->free(t->boxes);
         }
         distance_grid_free(t->grid);
-        free(t->ball);
+        free(t->disc);
         free(t->face);
         free(t->vertex);
         free(t);
@@ -124,12 +138,9 @@ typedef struct search {
 static double look(void *context, int i)
 {
     search *s = context;
-    const struct ball *about = &s->t->ball[i];
     vec3 corner[3];
     int place = 0;
-    const double least = s->radius + about->radius;
-    const vec3 to = vec3_sub(s->p, about->middle);
-    if (vec3_dot(to, to) > least * least) {
+    if (is_beyond(&s->t->disc[i], s->p, s->radius)) {
         return s->radius;
     }
     surface_corners(s->t->s, i, corner);

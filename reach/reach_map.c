@@ -57,7 +57,9 @@ static status look(mapping *m, joint_box *b, const double *q, bool *room_at_midd
     status st = OK;
     *room_at_middle = b->free;
     if (!b->free) {
-        const clearance_wish wish = {look_share * b->motion, -b->motion, b->s};
+        // what is more than free is not asked for
+        const double tolerance = look_share * b->motion;
+        const clearance_wish wish = {tolerance, -b->motion, b->s, b->motion + tolerance};
         TRY(scope_bend(m->state, q));
         const double room = room_roughly(m->room, m->state, q, &wish, &b->s);
         m->out->looks++;

@@ -45,7 +45,7 @@ static void roughly(const scope_room *room, scope_state *state, const double *q,
 
 void scope_clearance(const scope_room *room, scope_state *state, const double *q, clearance *out)
 {
-    const clearance_wish all = {room->tolerance, -INFINITY, -INFINITY};
+    const clearance_wish all = {room->tolerance, -INFINITY, -INFINITY, 0};
     roughly(room, state, q, &all, out);
 }
 
@@ -65,6 +65,7 @@ static double rough_room(void *context, scope_state *state, const double *q,
     clearance_wish w = *wish;
     clearance c = {0};
     w.below += room->leave;
+    w.above += w.above > 0 ? room->leave : 0;
     roughly(room, state, q, &w, &c);
     *s = c.s;
     return c.least - room->leave;

@@ -71,7 +71,7 @@ static status consider(search *s, cylinder_point c, box_heap *h, joint_box *b)
         hypot(pose.q[SCOPE_INSERTION] - middle[0], (pose.q[SCOPE_TURN] - middle[1]) * m.farthest);
     // less than this is as good as none
     const double useful = s->out->room >= 0 ? s->out->room : 0;
-    clearance_wish wish = {s->options->resolution, useful - b->motion - shift, b->s};
+    clearance_wish wish = {s->options->resolution, useful - b->motion - shift, b->s, 0};
     TRY(inverse_miss(s->state, s->target, &pose));
     TRY(search_look(s, &pose, &wish, &room));
     b->bound = fmin(b->bound, room + b->motion + shift);
