@@ -9,12 +9,12 @@
 enum { MOST_BOXES = 1 << 21, LOOKS_PER_QUESTION = 1024 };
 
 // Of a box's motion, so finely its room is looked at.
-static const double look_share = 0.25;
+static const double look_share = 0.5;
 reach_map_options reach_map_options_default(void)
 {
     return (reach_map_options){
         .near = 1e-3,
-        .resolution = 2e-4,    // of what is reached at all, few points hang on less
+        .resolution = 2.5e-4,  // of what is reached at all, few points hang on less
         .most_looks = 3000000, // less than a minute
     };
 }

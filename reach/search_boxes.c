@@ -11,6 +11,8 @@ static const double pi = 3.14159265358979323846;
 
 // Once the target is reached, so many looks more are spent on a pose with more room.
 static const int looks_after = 30;
+// Of a box's motion, so finely its room is looked at.
+static const double look_share = 0.125;
 
 // how far the tip is from the target, without a solve
 static double miss_of(cylinder_point c, vec3 bent, const double *q)
@@ -71,7 +73,7 @@ static status consider(search *s, cylinder_point c, box_heap *h, joint_box *b)
         hypot(pose.q[SCOPE_INSERTION] - middle[0], (pose.q[SCOPE_TURN] - middle[1]) * m.farthest);
     // less than this is as good as none
     const double useful = s->out->room >= 0 ? s->out->room : 0;
-    clearance_wish wish = {s->options->resolution, useful - b->motion - shift, b->s, 0};
+    clearance_wish wish = {look_share * b->motion, useful - b->motion - shift, b->s, 0};
     TRY(inverse_miss(s->state, s->target, &pose));
     TRY(search_look(s, &pose, &wish, &room));
     b->bound = fmin(b->bound, room + b->motion + shift);
