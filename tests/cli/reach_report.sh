@@ -92,6 +92,16 @@ if len(body) != sum(len(a["body"]["s_m"]) for s, a in answers if s["name"] == "r
 END
 fi
 
+# --- ways in
+
+expect 0 "$program" reach "$work/box.yaml" --set reach.path=insertion --set reach.map.points=50 --out "$work/ways" --quiet
+expect 0 "$program" report "$work/ways/result.hdf" --out "$work/ways_again"
+out 'final poses and ways in'
+for file in reach.csv reach_way.csv report.html; do
+    cmp -s "$work/ways/$file" "$work/ways_again/$file" || fail "$file: not the same from the stored result, with ways in"
+done
+[ "$(wc -l <"$work/ways/reach_way.csv")" -gt 2 ] || fail 'no way in is told'
+
 # --- damaged
 
 size=$(wc -c <"$work/first/result.hdf")
