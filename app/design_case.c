@@ -171,6 +171,10 @@ status case_design_check(const case_data *c)
         return config_fail(c->config, d->at,
                            "the case has no `targets` to maximise: give them, or maximise: area");
     }
+    if (d->goal == DESIGN_AREA && !mark_given(r->map.at)) {
+        return config_fail(c->config, d->at,
+                           "an area is that of the reach map: give map: {points: 10000}");
+    }
 
 done:
     return st;

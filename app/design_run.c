@@ -5,12 +5,15 @@
 #include "app/design_score.h"
 #include "app/design_tell.h"
 #include "base/memory.h"
+#include "reach/reach_map.h"
 
 #include <math.h>
 #include <string.h>
 
 // of misses and depths that count as short, in tolerances of the tip
 static const double SHORT = 10;
+// of the surface, at most: the share's standard error is then 2 %, and a look at a design is short
+enum { MAP_POINTS = 500 };
 
 typedef struct designing {
     const command *cmd;
@@ -86,6 +89,22 @@ static status name_log(designing *d)
     return OK;
 }
 
+static status take_samples(designing *d)
+{
+    status st = OK;
+    const reach_case *r = &d->c->file.reach;
+    const int n = r->map.points < MAP_POINTS ? r->map.points : MAP_POINTS;
+    if (r->design.goal != DESIGN_AREA) {
+        return OK;
+    }
+    TRY(TAKE(d->scoring.map, (size_t)n));
+    TRY(surface_samples(&d->scene.tissue, n, r->map.seed, d->scoring.map));
+    d->scoring.nmap = n;
+
+done:
+    return st;
+}
+
 static status open_all(designing *d)
 {
     status st = OK;
@@ -112,6 +131,7 @@ static status open_all(designing *d)
     TRY(case_place(c, reach_scope_make(c, &d->base, d->scoring.scope, &s, &start), dc->at));
     d->problem = fingerprint(d, &start);
     TRY(name_log(d));
+    TRY(take_samples(d));
 
 done:
     reach_scope_free(&start);
@@ -177,6 +197,7 @@ status chain_design(const command *cmd, const case_data *c, run_result *out)
 
 done:
     design_answer_free(&a);
+    free(d.scoring.map);
     variation_free(&d.base);
     reach_scene_free(&d.scene);
     return st;

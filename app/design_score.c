@@ -6,6 +6,10 @@
 
 #include <math.h>
 
+// A map of a design that is one of many: coarser, what is not decided counts by halves.
+enum { MAP_LOOKS = 50000 };
+static const double MAP_RESOLUTION = 5e-4; // [m]
+
 static double beyond(double x)
 {
     return x > 0 ? x : 0;
@@ -52,6 +56,31 @@ done:
     return st;
 }
 
+static status score_area(const design_scoring *d, reach_scope *s, double *goal, double *score)
+{
+    status st = OK;
+    reach_scene empty = *d->scene; // the map alone
+    empty.ntarget = 0;
+    const reach_study how = {.c = d->c,
+                             .scene = &empty,
+                             .workers = 1,
+                             .nmap = d->nmap,
+                             .map = (const double(*)[3])d->map,
+                             .map_looks = MAP_LOOKS,
+                             .map_resolution = MAP_RESOLUTION};
+    const reach_result sizes = {.nmap = d->nmap, .nscope = 1};
+    reach_result found = {0};
+    TRY(reach_result_make(&sizes, &found));
+    TRY(reach_study_scope(&how, s, &found.scope[0]));
+    const double n = d->nmap;
+    *goal = found.scope[0].area_reached;
+    *score = n * *goal + 0.5 * n * found.scope[0].area_undecided / (n + 1);
+
+done:
+    reach_result_free(&found);
+    return st;
+}
+
 status design_score(void *context, const double *x, double *goal, double *score)
 {
     status st = OK;
@@ -61,7 +90,7 @@ status design_score(void *context, const double *x, double *goal, double *score)
     TRY(design_settings(d->c, x, &s));
     TRY(reach_scope_make(d->c, d->base, d->scope, &s, &scope));
     TRY(reach_scene_fits(d->c, d->scene, scope.scope.length));
-    TRY(score_targets(d, &scope, goal, score));
+    TRY(d->nmap > 0 ? score_area(d, &scope, goal, score) : score_targets(d, &scope, goal, score));
 
 done:
     reach_scope_free(&scope);

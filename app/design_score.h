@@ -7,13 +7,15 @@
 typedef struct design_scoring {
     const case_data *c;
     const reach_scene *scene;
-    variation *base; // laws of the case as it stands
-    int scope;       // whose rod is varied
-    double length;   // of which lengths count as short and long in the score [m]
+    variation *base;  // laws of the case as it stands
+    int scope;        // whose rod is varied
+    double length;    // of which lengths count as short and long in the score [m]
+    int nmap;         // places of the surface, where the area is maximised
+    double (*map)[3]; // [nmap]
 } design_scoring;
 
 // The score of a design x, as design_problem has it; context is a design_scoring. goal: targets
-// reached.
+// reached, or the share of the places.
 status design_score(void *context, const double *x, double *goal, double *score);
 
 // How near a target is to being reached, in [0, 1]: out of reach up to 1/3, colliding up to 2/3,

@@ -110,6 +110,8 @@ static status study_map(reach_work *w, reach_scope_result *out)
     options.near = w->scope->scope.radius + r->clearance + r->tolerance;
     options.stop = map_heard;
     options.context = w;
+    options.most_looks = how->map_looks > 0 ? how->map_looks : options.most_looks;
+    options.resolution = how->map_looks > 0 ? how->map_resolution : options.resolution;
     TRY(reach_map(w->inverse, w->state, &w->probe, how->nmap, how->map, &options, &found));
     out->area_reached = share_of(how, out, MAP_REACHED);
     out->area_undecided = share_of(how, out, MAP_UNDECIDED);

@@ -13,6 +13,8 @@ typedef struct reach_study {
     bool bodies;            // samples of the body for pictures, and strains of poses
     int nmap;               // places of the reach map; 0: none
     const double (*map)[3]; // [nmap]
+    int map_looks;          // at most, and no finer than map_resolution [m]; 0: the usual ones
+    double map_resolution;
 } reach_study;
 
 // points of a body that is shown, from the entry to the tip

@@ -79,7 +79,12 @@ fi
 head -n 50 "$work/one.design-log" >"$work/cut.design-log"
 printf '1,9,0,0.3' >>"$work/cut.design-log"
 design cut
-[ "$(grep -c '^[0-9]' "$work/cut.design-log")" -eq 80 ] || fail 'the search did not go on where it ended'
+looked_at() { # designs; one that was asked for twice may stand there twice
+    grep '^[0-9]' "$1" | cut -d, -f5- | sort -u
+}
+looked_at "$work/one.design-log" >"$work/whole"
+looked_at "$work/cut.design-log" | cmp -s - "$work/whole" || fail 'the search did not go on where it ended'
+[ "$(grep -c '^[0-9]' "$work/cut.design-log")" -le 80 ] || fail 'what stood in the log was computed again'
 # ended by a signal: the log stays, nothing else
 "$program" design "$work/toy.yaml" --set reach.design.evaluations=20000 --out "$work/ended" >"$work/out" 2>&1 &
 run=$!
@@ -93,6 +98,16 @@ wait $run
 [ ! -e "$work/ended" ] || fail 'an interrupted search leaves results'
 design ended
 ! ps -e -o args= | grep -q "[d]esign $work" || fail 'a worker is left behind'
+
+# of an area, in a smaller ball: at first the tip comes nowhere near the wall
+mkdir "$work/area"
+cp "$work/targets.csv" "$work/area"
+ball 12 25 0 15 >"$work/area/ball.stl"
+sed 's/^  design:/  map: {points: 40}\n  design:/; s/insertion_mm: .0, 0.1./insertion_mm: [0, 20]/
+    s/    parameters:/    maximise: area\n    parameters:/' "$work/toy.yaml" >"$work/area/area.yaml"
+expect 0 "$program" design "$work/area/area.yaml" --set reach.design.evaluations=8 --set reach.design.islands=1
+out 'at first       0.00 % of the area'
+awk '$1 == "found" && $2 > 0 { found = 1 } END { exit !found }' "$work/out" || fail 'no area is found'
 
 # --- what can be wrong
 
@@ -111,6 +126,7 @@ wrong 's/t1.radius_mm=/t2.radius_mm=/' 'error: '
 wrong 's/=tip/=tip + tap/' 'tap'
 wrong 's/lower: 5/lower: 13/' "parameter 'tip': start = 12 lies outside its bounds, 13 to 50"
 wrong 's/- rod.length_mm=tip/- reach.scopes.soft.radius_mm=tip/' 'is of the search, not of the design'
+wrong 's/    parameters:/    maximise: area\n    parameters:/' 'give map'
 wrong 's/^  design:/  nothing:/' "unknown key 'nothing'"
 expect 2 "$program" design "$source/cases/fig4.yaml"
 err "the case has no 'reach'"
