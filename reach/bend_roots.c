@@ -6,8 +6,13 @@
 
 enum { DEGREE = 6, DEEPEST = 40 };
 
+// A stretch on which the tip is that far away all along, to this, has one root [m]: a tip that
+// never leaves its line has them everywhere.
+static const double SAME = 1e-12;
+
 typedef struct root_search {
     double from, width; // of the cell
+    double flat;        // a distance's square that is off by less is off by less than SAME
     int most, count;
     double *u;
 } root_search;
@@ -69,6 +74,15 @@ static int sign_changes(const double c[DEGREE + 1])
     return n + (c[0] == 0 || c[DEGREE] == 0);
 }
 
+static bool is_flat(const root_search *r, const double c[DEGREE + 1])
+{
+    bool flat = true;
+    for (int i = 0; i <= DEGREE; i++) {
+        flat = flat && c[i] <= r->flat && -c[i] <= r->flat;
+    }
+    return flat;
+}
+
 static void isolate(root_search *r, const double c[DEGREE + 1], double t, double width, int depth)
 {
     const int n = sign_changes(c);
@@ -76,7 +90,7 @@ static void isolate(root_search *r, const double c[DEGREE + 1], double t, double
         return;
     }
     // down to the last bits: a double root never parts
-    if (depth == DEEPEST) {
+    if (depth == DEEPEST || is_flat(r, c)) {
         const double u = r->from + r->width * (t + width / 2);
         // one root on the border of two parts
         if (r->count == 0 || u - r->u[r->count - 1] > 2 * width * r->width) {
@@ -92,7 +106,7 @@ static void isolate(root_search *r, const double c[DEGREE + 1], double t, double
 
 int bend_sweep_roots(const bend_sweep *w, double rho, int most, double *u)
 {
-    root_search r = {.most = most, .u = u};
+    root_search r = {.most = most, .u = u, .flat = SAME * (2 * rho + SAME)};
     for (int k = 0; k + 1 < w->nnode; k++) {
         double c[DEGREE + 1];
         r.from = w->node[k].u;

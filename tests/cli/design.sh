@@ -99,6 +99,10 @@ wait $run
 design ended
 ! ps -e -o args= | grep -q "[d]esign $work" || fail 'a worker is left behind'
 
+# a tip that cannot bend is on its line with every tension
+expect 0 timeout 60 "$program" reach "$work/toy.yaml" --set rod.length_mm=25 --set 'reach.scopes.soft.tensions_N=[[0, 0]]'
+out 'soft                                    1 of    2'
+
 # of an area, in a smaller ball: at first the tip comes nowhere near the wall
 mkdir "$work/area"
 cp "$work/targets.csv" "$work/area"
