@@ -39,6 +39,12 @@ out 'short                                   2 of    5'
 out "the paper's Table IV, on a patient's anatomy that is not published: constant curvature 14 of 20, helical 18 of 20"
 expect 0 "$program" reach "$work/straight.yaml" --json
 cp "$work/out" "$work/straight.json"
+# one worker or several: the same to the last digit
+if command -v taskset >/dev/null; then
+    expect 0 taskset -c "$(taskset -cp $$ | sed 's/.*[: ]//; s/[,-].*//')" "$program" reach "$work/straight.yaml" --json
+    grep -v cpu_s "$work/out" >"$work/one"
+    grep -v cpu_s "$work/straight.json" | cmp - "$work/one" || fail 'the answer depends on the number of workers'
+fi
 
 # --- a bent one: rho = (1 - cos a) L / a; a rod of one soft material bends as an arc that its tendon shortens
 
