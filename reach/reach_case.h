@@ -103,7 +103,8 @@ typedef struct reach_case {
     design_case design;
 } reach_case;
 
-extern const key_table reach_keys; // `reach`
+extern const key_table reach_keys;  // `reach`
+extern const key_table design_keys; // `reach.design`
 reach_case reach_case_default(void);
 
 // What no single key shows: names twice, ranges the wrong way round, lines without a direction,
