@@ -58,7 +58,8 @@ row() {
 # what the checks hold to a part of their cases, with all of them: `reach_full`
 reach_full() {
     full_bad=0
-    for program in "$bin"/verify_inverse "$bin"/verify_distance "$bin"/verify_search; do
+    for name in inverse distance search reach_map way; do
+        program=$bin/verify_$name
         if STIFFAXIS_LONG=1 "$program"; then
             printf 'PASS  %s, every case\n' "${program##*/verify_}"
         else

@@ -145,7 +145,7 @@ function(benchmarks)
         add_dependencies(benchmarks ${name})
     endforeach()
     # bench/bench.sh runs these with all of their cases
-    add_dependencies(benchmarks verify_inverse verify_distance verify_search)
+    add_dependencies(benchmarks verify_inverse verify_distance verify_search verify_reach_map verify_way)
 endfunction()
 
 function(installation)
