@@ -4,6 +4,7 @@
 #include "base/memory.h"
 #include "io/json.h"
 #include "reports/base64.h"
+#include "reports/scene_page.h"
 
 #include <math.h>
 #include <stdint.h>
@@ -344,23 +345,6 @@ status scene_key(scene *s, int layer, colour ink, const char *words)
 
 // --- into the page
 
-// what ends a script or begins a comment there cannot stand in a text any more; line ends and the
-// spaces after them, of which texts have none, are left off
-static status put_data(const char *text, size_t length, bytes *page)
-{
-    status st = OK;
-    for (size_t i = 0; i < length;) {
-        const size_t plain = strcspn(text + i, "<\n");
-        TRY(bytes_append(page, text + i, plain));
-        i += plain;
-        TRY(text[i] == '<' ? bytes_text(page, "\\u003c") : OK);
-        i += text[i] == '\n' ? 1 + strspn(text + i + 1, " ") : 1;
-    }
-
-done:
-    return st;
-}
-
 status scene_close(scene *s, const char *caption, bytes *page)
 {
     status st = OK;
@@ -372,15 +356,7 @@ status scene_close(scene *s, const char *caption, bytes *page)
     if (fflush(s->stream) != 0) {
         TRY(status_fail(ERR_RESOURCE, "not enough memory for a scene"));
     }
-    TRY(bytes_text(page, "<figure class=\"view\">\n<p class=\"still\">The view that can be turned "
-                         "needs a browser with JavaScript and WebGL. The pictures on this page "
-                         "show the same.</p>\n<figcaption>"));
-    TRY(bytes_text(page, caption));
-    TRY(bytes_text(page, "</figcaption>\n<script type=\"application/json\" data-name=\""));
-    TRY(markup_escape(page, s->name, strlen(s->name)));
-    TRY(bytes_text(page, "\">"));
-    TRY(put_data(s->text, s->length, page));
-    TRY(bytes_text(page, "</script>\n</figure>\n"));
+    TRY(scene_figure(s->name, s->text, s->length, caption, page));
 
 done:
     return st;
