@@ -1,6 +1,8 @@
 // reports/base64.c
 #include "reports/base64.h"
 
+#include "base/memory.h"
+
 status base64_append(bytes *out, const void *data, size_t count)
 {
     static const char letters[] =
@@ -16,5 +18,21 @@ status base64_append(bytes *out, const void *data, size_t count)
     }
 
 done:
+    return st;
+}
+
+status base64_append_words(bytes *out, const uint16_t *word, size_t count)
+{
+    status st = OK;
+    unsigned char *pair = NULL;
+    TRY(TAKE(pair, 2 * count));
+    for (size_t i = 0; i < count; i++) {
+        pair[2 * i] = (unsigned char)(word[i] & 255);
+        pair[2 * i + 1] = (unsigned char)(word[i] >> 8);
+    }
+    TRY(base64_append(out, pair, 2 * count));
+
+done:
+    free(pair);
     return st;
 }

@@ -42,20 +42,15 @@ done:
     return st;
 }
 
-// low byte first, whatever this machine does
 static status put_words(scene *s, const char *key, size_t n, const uint16_t *word)
 {
     status st = OK;
-    unsigned char *pair = NULL;
-    TRY(TAKE(pair, 2 * n));
-    for (size_t i = 0; i < n; i++) {
-        pair[2 * i] = (unsigned char)(word[i] & 255);
-        pair[2 * i + 1] = (unsigned char)(word[i] >> 8);
-    }
-    TRY(put_packed(s, key, pair, 2 * n));
+    bytes text = {0};
+    TRY(base64_append_words(&text, word, n));
+    json_text(s->j, key, text.data ? text.data : "");
 
 done:
-    free(pair);
+    bytes_free(&text);
     return st;
 }
 
