@@ -88,7 +88,7 @@ done:
     return st;
 }
 
-static status read_bytes(int fd, const key_text *name, input_file *f, size_t size)
+static status read_bytes(int fd, const key_text *name, input_file *f, size_t size, bool grows)
 {
     status st = OK;
     TRY(TAKE(f->bytes, size + 1));
@@ -106,16 +106,18 @@ static status read_bytes(int fd, const key_text *name, input_file *f, size_t siz
         }
         f->count += (size_t)n;
     }
-    if (f->count != size) {
+    if (f->count != size && !grows) {
         TRY(open_fail(f, name, "it changes while it is read"));
     }
-    f->bytes[size] = 0;
+    f->count = f->count < size ? f->count : size;
+    f->bytes[f->count] = 0;
 
 done:
     return st;
 }
 
-status input_file_read(const char *directory, const key_text *name, size_t most, input_file *out)
+static status read_file(const char *directory, const key_text *name, size_t most, bool grows,
+                        input_file *out)
 {
     status st = OK;
     int fd = -1;
@@ -141,7 +143,7 @@ status input_file_read(const char *directory, const key_text *name, size_t most,
                        (long long)about.st_size, most);
         TRY(open_fail(&f, name, words));
     }
-    TRY(read_bytes(fd, name, &f, (size_t)about.st_size));
+    TRY(read_bytes(fd, name, &f, (size_t)about.st_size, grows));
     *out = f;
     f = (input_file){0};
 
@@ -151,6 +153,17 @@ done:
     }
     input_file_free(&f);
     return st;
+}
+
+status input_file_read(const char *directory, const key_text *name, size_t most, input_file *out)
+{
+    return read_file(directory, name, most, false, out);
+}
+
+status input_file_read_so_far(const char *directory, const key_text *name, size_t most,
+                              input_file *out)
+{
+    return read_file(directory, name, most, true, out);
 }
 
 bool input_file_begins(const input_file *f, const char *words)

@@ -15,6 +15,9 @@ typedef struct input_file {
 // A relative name starts from `directory`; NULL: the current one. ERR_FILE, with the place of the
 // name, where it cannot be read, is no regular file or has more than `most` bytes.
 status input_file_read(const char *directory, const key_text *name, size_t most, input_file *out);
+// The same of a file that another process may be writing on: what it had when it was opened.
+status input_file_read_so_far(const char *directory, const key_text *name, size_t most,
+                              input_file *out);
 void input_file_free(input_file *f);
 
 // ERR_FILE "FILE:LINE: words"; without the line where it is 0.

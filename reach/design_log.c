@@ -126,7 +126,8 @@ static status read_part(const design_problem *p, const char *path, design_log *l
     if (stat(path, &about) != 0 && errno == ENOENT) {
         return OK;
     }
-    TRY(input_file_read(NULL, &name, LARGEST, &f));
+    // other ranks write on theirs meanwhile
+    TRY(input_file_read_so_far(NULL, &name, LARGEST, &f));
     if (f.count > 0) {
         TRY(check_head(p, &f));
         TRY(read_lines(&f, l, whole));
