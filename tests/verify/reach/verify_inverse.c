@@ -14,7 +14,7 @@ typedef struct campaign {
 } campaign;
 
 static const campaign full = {1000, 200, {20001, 201, 41}};
-static const campaign of_a_check = {60, 15, {2001, 61, 41}};
+static const campaign of_a_check = {60, 15, {2001, 101, 41}};
 
 // the table's own criterion
 static const double reached_again = 1e-6; // [m]
