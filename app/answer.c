@@ -1,6 +1,8 @@
 // app/answer.c
 #include "app/answer.h"
 
+#include "reports/markup.h"
+
 #include <errno.h>
 #include <string.h>
 
@@ -14,14 +16,9 @@ void answer_error_line(const char *message, char *line, unsigned long size)
 {
     const char *words = message[0] ? message : "failed without a message: please report this";
     const bool placed = strstr(words, ": error: ") != NULL;
-    const int length = snprintf(line, size, "%s%s", placed ? "" : "error: ", words);
-    const unsigned long shown = (unsigned long)length < size ? (unsigned long)length : size - 1;
-
+    (void)snprintf(line, size, "%s%s", placed ? "" : "error: ", words);
     // a case file's text may stand in the message: no escape sequence reaches the terminal
-    for (unsigned long i = 0; i < shown; i++) {
-        const unsigned char c = (unsigned char)line[i];
-        line[i] = c < 0x20 || c == 0x7f ? ' ' : line[i];
-    }
+    (void)utf8_clean(line, line, size);
 }
 
 // a script that asked for JSON gets a document, whatever happened

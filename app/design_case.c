@@ -3,6 +3,7 @@
 
 #include "app/reach_case.h"
 #include "base/memory.h"
+#include "io/expression.h"
 #include "reach/design.h"
 
 #include <math.h>
@@ -39,21 +40,6 @@ int case_design_scope(const case_data *c)
 
 // --- what does not go together
 
-// what io/expression.h knows already
-static bool is_taken(const char *name)
-{
-    static const char *const taken[] = {"pi",    "L",    "s",    "x",    "y",     "_pi",   "_e",
-                                        "e",     "sin",  "cos",  "tan",  "asin",  "acos",  "atan",
-                                        "atan2", "sinh", "cosh", "tanh", "asinh", "acosh", "atanh",
-                                        "exp",   "ln",   "log",  "log2", "log10", "sqrt",  "abs",
-                                        "rint",  "sign", "min",  "max",  "sum",   "avg",   NULL};
-    bool is = false;
-    for (int i = 0; taken[i]; i++) {
-        is = is || strcmp(name, taken[i]) == 0;
-    }
-    return is;
-}
-
 static bool is_word(const char *name)
 {
     static const char letters[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_";
@@ -85,6 +71,11 @@ done:
     return st;
 }
 
+static bool is_of_yaml(const char *name)
+{
+    return strcmp(name, "true") == 0 || strcmp(name, "false") == 0 || strcmp(name, "null") == 0;
+}
+
 static status check_parameter(const case_data *c, int i)
 {
     status st = OK;
@@ -96,7 +87,7 @@ static status check_parameter(const case_data *c, int i)
                            "first, at most %d",
                            p->name, NAME_MOST - 1);
     }
-    if (is_taken(p->name)) {
+    if (expression_knows(p->name) || is_of_yaml(p->name)) {
         return config_fail(c->config, p->at,
                            "a parameter cannot be called '%s': expressions know that name already",
                            p->name);
@@ -141,6 +132,31 @@ static status check_scope(const case_data *c)
     return OK;
 }
 
+// a key that two lines set, or one that the scope sets too: one of them would be lost
+static status check_set(const case_data *c, int i)
+{
+    const key_text *line = set_of(c, i);
+    const key_list *own = &case_scope(c, case_design_scope(c))->rod.set;
+    const size_t key = strcspn(line->text, "=");
+    if (line->text[key] == '\0') {
+        return config_fail(c->config, line->at, "'%.60s' sets nothing: write KEY=EXPRESSION",
+                           line->text);
+    }
+    if (strncmp(line->text, "reach", 5) == 0) {
+        return config_fail(c->config, line->at, "'%.60s' is of the search, not of the design",
+                           line->text);
+    }
+    for (int k = 0; k < i + own->count; k++) {
+        const key_text *other = k < i ? set_of(c, k) : (const key_text *)own->items + (k - i);
+        if (strncmp(other->text, line->text, key + 1) == 0) {
+            return config_fail(c->config, line->at, "'%.*s' is set twice%s",
+                               (int)(key < 60 ? key : 60), line->text,
+                               k < i ? "" : ", by the scope's rod.set too");
+        }
+    }
+    return OK;
+}
+
 status case_design_check(const case_data *c)
 {
     status st = OK;
@@ -151,14 +167,7 @@ status case_design_check(const case_data *c)
         return config_fail(c->config, d->at, "a design needs parameters, and keys that they `set`");
     }
     for (int i = 0; i < d->set.count; i++) {
-        if (!strchr(set_of(c, i)->text, '=')) {
-            return config_fail(c->config, set_of(c, i)->at,
-                               "'%.60s' sets nothing: write KEY=EXPRESSION", set_of(c, i)->text);
-        }
-        if (strncmp(set_of(c, i)->text, "reach", 5) == 0) {
-            return config_fail(c->config, set_of(c, i)->at,
-                               "'%.60s' is of the search, not of the design", set_of(c, i)->text);
-        }
+        TRY(check_set(c, i));
     }
     for (int i = 0; i < d->parameters.count; i++) {
         TRY(check_parameter(c, i));

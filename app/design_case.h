@@ -22,6 +22,7 @@ status design_settings(const case_data *c, const double *x, settings *out);
 status design_case_settings(const case_data *c, const double *x, settings *out);
 
 // `text` with whole words that are names [n] replaced by (value), or by the value where there is
-// nothing else; numbers and all else are left as they are. The caller frees it.
+// nothing else; numbers, keys of maps within it and all else are left as they are. The caller frees
+// it.
 status design_words(const char *text, int n, const char *const *name, const double *value,
                     char **out);

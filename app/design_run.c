@@ -149,6 +149,7 @@ static status search(designing *d, design_answer *out)
         .start = d->start,
         .score = design_score,
         .context = &d->scoring,
+        .per_goal = d->scoring.nmap > 0 ? d->scoring.nmap : 1,
         .islands = dc->islands,
         .evaluations = dc->evaluations,
         .seed = dc->seed,

@@ -4,8 +4,8 @@
 #include "app/design_case.h"
 #include "app/fit_files.h"
 #include "base/memory.h"
+#include "reports/markup.h"
 
-#include <ctype.h>
 #include <math.h>
 #include <string.h>
 
@@ -105,10 +105,7 @@ static void write_headline(const case_data *c, const reach_design_result *d, con
         n += (size_t)snprintf(line + n, room - n, "; %d designs, seed %d%s", d->evaluations,
                               d->seed, whole ? "" : "; NOT ALL IN FORCE: see the end of the case");
     }
-    // a name may hold what would end the comment
-    for (char *p = line; *p; p++) {
-        *p = iscntrl((unsigned char)*p) ? ' ' : *p;
-    }
+    (void)utf8_clean(line, line, room); // a name may hold what would end the comment
 }
 
 status design_case_text(const case_data *c, const reach_design_result *d, const double *x,

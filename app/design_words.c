@@ -50,6 +50,25 @@ static int find(const char *word, size_t length, int n, const char *const *name)
     return -1;
 }
 
+static bool is_blank(char c)
+{
+    return c == ' ' || c == '\'' || c == '"';
+}
+
+// Whether the word is a key of a map, {x: 1, y: 2}, and not a part of `a ? b : c`: a brace or a
+// comma stands before it, a colon behind.
+static bool is_key(const char *text, const char *word, size_t length)
+{
+    const char *before = word, *behind = word + length;
+    while (before > text && is_blank(before[-1])) {
+        before--;
+    }
+    while (is_blank(*behind)) {
+        behind++;
+    }
+    return *behind == ':' && before > text && (before[-1] == '{' || before[-1] == ',');
+}
+
 status design_words(const char *text, int n, const char *const *name, const double *value,
                     char **out)
 {
@@ -60,7 +79,7 @@ status design_words(const char *text, int n, const char *const *name, const doub
     for (const char *at = text; *at;) {
         const size_t word = word_length(at), number = number_length(at);
         const size_t length = word + number > 0 ? word + number : 1; // one of them is 0
-        const int i = word > 0 ? find(at, word, n, name) : -1;
+        const int i = word > 0 && !is_key(text, at, word) ? find(at, word, n, name) : -1;
         if (i >= 0) {
             const bool alone = strlen(text) == length;
             used +=

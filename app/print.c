@@ -2,6 +2,7 @@
 #include "app/print.h"
 
 #include "app/command.h"
+#include "reports/markup.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -15,6 +16,13 @@ static const double degrees = 180 / 3.14159265358979323846;
 double print_shown(double value, double last_digit)
 {
     return fabs(value) < 0.5 * last_digit ? 0 : value;
+}
+
+print_words print_plain(const char *words)
+{
+    print_words out;
+    (void)utf8_clean(words, out.text, sizeof out.text);
+    return out;
 }
 
 void print_stiffness(const char *title, const mat6 *K)

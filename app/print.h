@@ -25,6 +25,12 @@ void print_design(const run_result *r);
 // Of every material the largest strain among the rod's solutions, and where.
 void print_strains(const run_result *r);
 
+// A user's words as any terminal may show them, cut where they are very long.
+typedef struct print_words {
+    char text[512];
+} print_words;
+print_words print_plain(const char *words);
+
 // In the unit shown, where less than half of the last digit is no number and its sign no
 // information.
 double print_shown(double value, double last_digit);

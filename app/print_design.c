@@ -26,12 +26,12 @@ void print_design(const run_result *run)
     }
     const reach_design_row *best = &d->row[d->best];
     printf("design of scope %s: %d designs on %d islands, seed %d, %d of them without an answer\n",
-           d->scope, d->evaluations, d->islands, d->seed, d->failed);
+           print_plain(d->scope).text, d->evaluations, d->islands, d->seed, d->failed);
     print_goal(d, "at first", d->start_goal, d->start_score, r->ntarget);
     print_goal(d, "found", best->goal, best->score, r->ntarget);
     printf("%-24s %12s %12s %12s %12s\n", "parameter", "lower", "upper", "at first", "found");
     for (int i = 0; i < d->nparameter; i++) {
         printf("%-24s %12.6g %12.6g %12.6g %12.6g %s\n", d->name[i], d->lower[i], d->upper[i],
-               d->start[i], best->value[i], d->unit[i]);
+               d->start[i], best->value[i], print_plain(d->unit[i]).text);
     }
 }

@@ -42,7 +42,8 @@ static void print_shapes(const fit_result *f)
            "across, rms mm: before", "after");
     for (int k = 0; k < f->answer.nshape; k++) {
         const fit_match *m = &f->answer.match[k];
-        printf("%-32.60s %24.4f %24.4f", f->shape[k].name, 1e3 * m->rms[0], 1e3 * m->rms[1]);
+        printf("%-32.60s %24.4f %24.4f", print_plain(f->shape[k].name).text, 1e3 * m->rms[0],
+               1e3 * m->rms[1]);
         if (isfinite(m->tip[0])) {
             printf("   tip %.4f to %.4f", 1e3 * m->tip[0], 1e3 * m->tip[1]);
         }
@@ -61,9 +62,9 @@ static void print_bases(const fit_result *f)
     printf("%-32s %26s %26s\n", "off the model's base", "shifted, x y z mm", "turned, x y z deg");
     for (int k = 0; k < f->answer.nshape; k++) {
         const double *b = f->answer.match[k].base.a;
-        printf("%-32.60s %8.3f %8.3f %8.3f %8.3f %8.3f %8.3f%s\n", f->shape[k].name, 1e3 * b[0],
-               1e3 * b[1], 1e3 * b[2], b[3] / degree, b[4] / degree, b[5] / degree,
-               f->shape[k].turn_free ? " *" : "");
+        printf("%-32.60s %8.3f %8.3f %8.3f %8.3f %8.3f %8.3f%s\n",
+               print_plain(f->shape[k].name).text, 1e3 * b[0], 1e3 * b[1], 1e3 * b[2],
+               b[3] / degree, b[4] / degree, b[5] / degree, f->shape[k].turn_free ? " *" : "");
     }
     if (fit_turn_words(f)[0]) {
         printf("%s\n", fit_turn_words(f));

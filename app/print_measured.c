@@ -57,7 +57,7 @@ static void print_notes(const run_result *r)
         const measured_line *line = &r->measured.line[i];
         measured_line_notes(r, line, words, sizeof words);
         if (words[0]) {
-            printf("%s: %s.\n", line->name, words);
+            printf("%s: %s.\n", print_plain(line->name).text, words);
         }
     }
 }
@@ -73,9 +73,10 @@ void print_measured(const run_result *r)
     const int n = measured_rows(r, rows), ncolumn = measured_has_paper(r) ? COLUMNS : COLUMNS - 2;
     measured_data_words(r, words, sizeof words);
     if (r->measured.nline > 0) {
-        printf("%s: the rod's model against them: %s\n", measured_word(r), r->title);
+        printf("%s: the rod's model against them: %s\n", measured_word(r),
+               print_plain(r->title).text);
     } else {
-        printf("the paper's errors for its own shapes: %s\n", r->title);
+        printf("the paper's errors for its own shapes: %s\n", print_plain(r->title).text);
     }
     for (int i = -2; i < n; i++) {
         const int line = i + 2;

@@ -17,8 +17,8 @@ static void put(int width, int digits, double value)
 static void print_scene(const reach_result *r)
 {
     printf("%stissue %s: %d triangles, %.4g cm2, %.4g ml%s%s\n", r->synthetic ? "SYNTHETIC " : "",
-           r->tissue, r->ntriangle, 1e4 * r->area, 1e6 * r->volume, r->source[0] ? ": " : "",
-           r->source);
+           print_plain(r->tissue).text, r->ntriangle, 1e4 * r->area, 1e6 * r->volume,
+           r->source[0] ? ": " : "", print_plain(r->source).text);
     printf("entry at (%.4g, %.4g, %.4g) mm along (%.4g, %.4g, %.4g), the first %.4g mm not looked "
            "at\n",
            1e3 * r->entry.p.a[0], 1e3 * r->entry.p.a[1], 1e3 * r->entry.p.a[2], r->entry.R.a[0][2],
@@ -38,9 +38,9 @@ static void print_joints(const reach_scope_result *s)
 {
     printf("scope %s: %s, tip %.4g mm, radius %.4g mm; insertion %.4g to %.4g mm, turn %.4g to "
            "%.4g deg",
-           s->name, s->kind, 1e3 * s->length, 1e3 * s->radius, 1e3 * s->low[SCOPE_INSERTION],
-           1e3 * s->high[SCOPE_INSERTION], s->low[SCOPE_TURN] / degree,
-           s->high[SCOPE_TURN] / degree);
+           print_plain(s->name).text, s->kind, 1e3 * s->length, 1e3 * s->radius,
+           1e3 * s->low[SCOPE_INSERTION], 1e3 * s->high[SCOPE_INSERTION],
+           s->low[SCOPE_TURN] / degree, s->high[SCOPE_TURN] / degree);
     const bool rod = !s->arc;
     for (int i = SCOPE_BEND; i < s->njoint; i++) {
         printf(rod ? ", tension %.4g to %.4g N" : ", bend %.4g to %.4g deg",
@@ -48,7 +48,7 @@ static void print_joints(const reach_scope_result *s)
     }
     (void)putchar('\n');
     if (s->limit_note[0]) {
-        printf("  %s\n", s->limit_note);
+        printf("  %s\n", print_plain(s->limit_note).text);
     }
 }
 
@@ -56,7 +56,7 @@ static int name_width(const reach_result *r)
 {
     int width = 6;
     for (int i = 0; i < r->ntarget; i++) {
-        const int here = (int)utf8_count(r->target_name[i]);
+        const int here = (int)utf8_count(print_plain(r->target_name[i]).text);
         width = here > width ? here : width;
     }
     return width;
@@ -65,8 +65,8 @@ static int name_width(const reach_result *r)
 static void print_answer(const reach_result *r, const reach_scope_result *s, int i, int width)
 {
     const reach_answer *a = &s->answer[i];
-    const char *name = r->target_name[i];
-    printf("  %s%*s %-12s", name, width - (int)utf8_count(name), "",
+    const print_words name = print_plain(r->target_name[i]);
+    printf("  %s%*s %-12s", name.text, width - (int)utf8_count(name.text), "",
            reach_verdict_words(a->verdict));
     put(8, 3, 1e3 * a->miss);
     put(8, 3, 1e3 * a->clearance);
@@ -81,7 +81,7 @@ static void print_answer(const reach_result *r, const reach_scope_result *s, int
     if (!s->arc) {
         put(8, 2, 100 * a->strain);
     }
-    printf("%s%s\n", a->why[0] ? "  " : "", a->why);
+    printf("%s%s\n", a->why[0] ? "  " : "", print_plain(a->why).text);
 }
 
 static void print_names(const reach_result *r, const reach_scope_result *s, int width)
@@ -149,9 +149,9 @@ static void print_comparison(const reach_result *r)
     for (int i = 0; i < r->nscope; i++) {
         const reach_scope_result *s = &r->scope[i];
         if (r->ntarget > 0) {
-            printf("%-32.60s %8d of %4d", s->name, s->nreached, r->ntarget);
+            printf("%-32.60s %8d of %4d", print_plain(s->name).text, s->nreached, r->ntarget);
         } else {
-            printf("%-32.60s %16s", s->name, "-");
+            printf("%-32.60s %16s", print_plain(s->name).text, "-");
         }
         if (r->nmap > 0) {
             printf("  %5.1f +- %.1f %%", 100 * s->area_reached, 100 * s->area_error);

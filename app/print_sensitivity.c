@@ -101,11 +101,12 @@ static void print_reasons(const sensitivity_result *s)
         const mover *p = &s->mover[k];
         for (int end = 0; end < MOVER_ENDS; end++) {
             if (p->end[end].why[0]) {
-                printf("%s = %s: %s\n", p->name, p->end[end].text, p->end[end].why);
+                printf("%s = %s: %s\n", print_plain(p->name).text, p->end[end].text,
+                       p->end[end].why);
             }
         }
         if (p->no_rate[0]) {
-            printf("%s: no derivative, %s\n", p->name, p->no_rate);
+            printf("%s: no derivative, %s\n", print_plain(p->name).text, p->no_rate);
         }
     }
 }

@@ -61,25 +61,32 @@ static double room_along(const reach_scene *s, double t)
     return distance_to(s->tree, vec3_add(s->entry.p, vec3_scale(t, z))).distance;
 }
 
-// From 0 to `to` along the line: where the wall is first `room` away, or `to`. Where the line has
-// most, too.
-static double first_room(const reach_scene *s, double room, double least, double to, double *most,
-                         double *most_at)
+// from 0 to `to` along the line: where the wall is first `room` away, or `to`
+static double first_room(const reach_scene *s, double room, double least, double to)
 {
     double t = 0;
-    *most = -INFINITY;
     while (t < to) {
         const double here = room_along(s, t);
-        if (here > *most) {
-            *most = here;
-            *most_at = t;
-        }
         if (here >= room && here >= 0) {
             return t;
         }
         t += fmax(room - here, least);
     }
     return to;
+}
+
+// Where the line has most room from 0 to `to`. The distance to the wall changes by no more than the
+// way along the line: it is right to half a step.
+static double most_room(const reach_scene *s, double to, double *at)
+{
+    enum { STEPS = 2000 };
+    double most = -INFINITY;
+    for (int i = 0; i <= STEPS; i++) {
+        const double t = to * i / STEPS, here = room_along(s, t);
+        *at = here > most ? t : *at;
+        most = fmax(most, here);
+    }
+    return most;
 }
 
 // on from t as long as there is more room, until there is so much
@@ -96,11 +103,20 @@ static double while_growing(const reach_scene *s, double room, double least, dou
     return t;
 }
 
+static status fail_room(const case_data *c, const reach_scene *s, double room, double most,
+                        double at)
+{
+    return config_fail(c->config, c->file.reach.entry.at,
+                       "the entry line has nowhere room for a shaft of %.4g mm radius: at most "
+                       "%.4g mm, %.4g mm from the point%s",
+                       1e3 * room, 1e3 * most, 1e3 * at,
+                       room > surface_diagonal(&s->tissue) ? "; is the unit another one?" : "");
+}
+
 static status find_free(const case_data *c, const surface_passage *passage, int n, reach_scene *s)
 {
     const entry_case *e = &c->file.reach.entry;
     const double room = widest_room(c), last = n > 0 ? passage[n - 1].along : -1;
-    double most = 0, at = 0;
     if (n == 0) {
         return config_fail(c->config, e->at,
                            "the entry line misses the tissue (%s): are point and "
@@ -118,12 +134,12 @@ static status find_free(const case_data *c, const surface_passage *passage, int 
         return OK;
     }
     const double least = fmax(least_of_radius * room, least_of_way * last);
-    s->free = first_room(s, room, least, last, &most, &at);
+    s->free = first_room(s, room, least, last);
     if (s->free >= last) {
-        return config_fail(c->config, e->at,
-                           "the entry line has nowhere room for a shaft of %.4g mm radius: at "
-                           "most %.4g mm, %.4g mm from the point",
-                           1e3 * room, 1e3 * most, 1e3 * at);
+        const double most = most_room(s, last, &s->free);
+        if (most < room) {
+            return fail_room(c, s, room, most, s->free);
+        }
     }
     s->shaft_free = while_growing(s, (1 + room_to_grow) * room, least, s->free, last);
     return OK;

@@ -43,5 +43,8 @@ status expression_compile(calculator *c, const char *text, const expression_scop
 double expression_at(const expression *e, double s);
 double expression_at_place(const expression *e, double x, double y, double s);
 
+// Whether arithmetic knows the name, wherever it may stand: a constant, a function, x or y.
+bool expression_knows(const char *name);
+
 // Whether the name of one letter, x, y or s, stands in the text.
 bool expression_uses(const char *text, char name);

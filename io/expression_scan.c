@@ -229,6 +229,12 @@ status expression_scan(const char *text, const expression_scope *scope, expressi
     return OK;
 }
 
+bool expression_knows(const char *name)
+{
+    return is_one_of(name, NCONSTANT, constants) || is_one_of(name, NFUNCTION, functions) ||
+           is_one_of(name, NPLACE, places);
+}
+
 bool expression_uses(const char *text, char name)
 {
     for (const char *p = text; *p;) {

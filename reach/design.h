@@ -33,6 +33,9 @@ typedef struct design_problem {
     // interrupt, of this machine or our own mistake.
     status (*score)(void *context, const double *x, double *goal, double *score);
     void *context;
+    // > 0: a score lies from this times its goal to below one more than that, and a line of the log
+    // that says another is damaged                                       docs/theory.md (10.30)
+    double per_goal;
     int islands, evaluations; // searches, and how often each may ask for a score
     int seed;
     int workers; // 0: as many as there are cores. The answer does not depend on it

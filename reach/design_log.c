@@ -9,6 +9,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -50,8 +51,19 @@ static bool read_number(const char **at, char end, double *out)
     return fine;
 }
 
-static bool read_trial(const char *line, int n, design_trial *out)
+// whether a score is one that goes with its goal, up to the rounding of their sums
+static bool fits(const design_problem *p, double goal, double score)
 {
+    const double least = p->per_goal * goal, rounding = 1e-12 * (1 + fabs(least));
+    return isnan(score)
+               ? isnan(goal)
+               : goal >= 0 && isfinite(score) && score >= 0 &&
+                     (p->per_goal <= 0 || (score >= least - rounding && score < least + 1));
+}
+
+static bool read_trial(const design_problem *p, const char *line, design_trial *out)
+{
+    const int n = p->nparameter;
     double island = 0, evaluation = 0;
     bool fine = read_number(&line, ',', &island) && read_number(&line, ',', &evaluation) &&
                 read_number(&line, ',', &out->goal) && read_number(&line, ',', &out->score);
@@ -59,8 +71,7 @@ static bool read_trial(const char *line, int n, design_trial *out)
         fine = read_number(&line, i + 1 < n ? ',' : '\n', &out->x[i]) && isfinite(out->x[i]);
     }
     fine = fine && island >= 0 && island < DESIGN_MOST_ISLANDS && evaluation >= 1 &&
-           evaluation <= DESIGN_MOST_EVALUATIONS && !isinf(out->goal) &&
-           (isnan(out->score) ? isnan(out->goal) : out->score >= 0 && isfinite(out->score));
+           evaluation <= DESIGN_MOST_EVALUATIONS && fits(p, out->goal, out->score);
     if (fine) {
         out->island = (int)island;
         out->evaluation = (int)evaluation;
@@ -68,10 +79,15 @@ static bool read_trial(const char *line, int n, design_trial *out)
     return fine;
 }
 
-static status check_head(const design_problem *p, const input_file *f)
+// *begun: whether there is more than a part of this search's own first line
+static status check_head(const design_problem *p, const input_file *f, bool *begun)
 {
     char head[LINE];
     head_of(p, head);
+    *begun = f->count >= strlen(head) || memcmp(f->bytes, head, f->count) != 0;
+    if (!*begun) {
+        return OK;
+    }
     if (!input_file_begins(f, magic)) {
         return input_file_fail(f, 0,
                                "is there already and is no log of a design search: not touched");
@@ -85,7 +101,7 @@ static status check_head(const design_problem *p, const input_file *f)
     return OK;
 }
 
-static status read_lines(const input_file *f, design_log *l, size_t *whole)
+static status read_lines(const design_problem *p, const input_file *f, design_log *l, size_t *whole)
 {
     status st = OK;
     const char *text = (const char *)f->bytes, *at = text;
@@ -103,7 +119,7 @@ static status read_lines(const input_file *f, design_log *l, size_t *whole)
     l->trial = more;
     for (const char *end; (end = strchr(at, '\n')); at = end + 1, line++) {
         design_trial *t = &l->trial[l->ntrial];
-        if (line > 1 && !read_trial(at, l->nparameter, t)) {
+        if (line > 1 && !read_trial(p, at, t)) {
             TRY(input_file_fail(f, line, "is no line of a design search with %d parameters",
                                 l->nparameter));
         }
@@ -115,23 +131,30 @@ done:
     return st;
 }
 
-// *whole: bytes up to the end of the last whole line; 0: there is no file, or nothing in it
-static status read_part(const design_problem *p, const char *path, design_log *l, size_t *whole)
+// bytes of a log as it was read
+typedef struct part {
+    size_t whole; // up to the end of the last whole line; 0: there is no file, or nothing in it
+    size_t all;
+} part;
+
+static status read_part(const design_problem *p, const char *path, design_log *l, part *out)
 {
     status st = OK;
+    bool begun = false;
     struct stat about;
     input_file f = {0};
     const key_text name = {.text = path};
-    *whole = 0;
+    *out = (part){0};
     if (stat(path, &about) != 0 && errno == ENOENT) {
         return OK;
     }
     // other ranks write on theirs meanwhile
     TRY(input_file_read_so_far(NULL, &name, LARGEST, &f));
-    if (f.count > 0) {
-        TRY(check_head(p, &f));
-        TRY(read_lines(&f, l, whole));
+    TRY(check_head(p, &f, &begun));
+    if (begun) {
+        TRY(read_lines(p, &f, l, &out->whole));
     }
+    out->all = f.count;
 
 done:
     input_file_free(&f);
@@ -146,17 +169,15 @@ static status part_path(const char *log, int rank, char path[PATH])
 }
 
 // those of this run's ranks, and of a run of more ranks before it
-static status read_parts(const design_problem *p, const ranks *r, design_log *l, size_t *own)
+static status read_parts(const design_problem *p, const ranks *r, design_log *l, part *own)
 {
     status st = OK;
     char path[PATH];
-    size_t whole = 1;
-    for (int i = 0; i < MOST_PARTS && (i < r->size || whole > 0); i++) {
+    part read = {.whole = 1};
+    for (int i = 0; i < MOST_PARTS && (i < r->size || read.whole > 0); i++) {
         TRY(part_path(p->log, i, path));
-        TRY(read_part(p, path, l, &whole));
-        if (i == r->rank) {
-            *own = whole;
-        }
+        TRY(read_part(p, path, l, &read));
+        *own = i == r->rank ? read : *own;
     }
 
 done:
@@ -182,16 +203,37 @@ static status write_line(int file, const char *line, const char *path)
     return n >= 0 && (size_t)n == size ? OK : cannot(path);
 }
 
-static status begin_writing(const design_problem *p, const ranks *r, size_t whole, design_log *l)
+// Held until the last worker has ended. Where the file system knows no locks, none is held.
+static status lock(int file, const char *path, const part *read)
+{
+    struct stat about;
+    const bool held = flock(file, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+    // or one that wrote since this log was read has ended by now
+    if (held ||
+        (fstat(file, &about) == 0 && S_ISREG(about.st_mode) && about.st_size != (off_t)read->all)) {
+        return status_fail(ERR_RESOURCE,
+                           "%s: another design search is writing this log: wait for it, or give "
+                           "this one another --out",
+                           path);
+    }
+    return OK;
+}
+
+static status begin_writing(const design_problem *p, const ranks *r, const part *read,
+                            design_log *l)
 {
     status st = OK;
     char path[PATH], head[LINE];
     TRY(part_path(p->log, r->rank, path));
     l->file = open(path, O_WRONLY | O_APPEND | O_CREAT | O_NONBLOCK | O_CLOEXEC, 0666);
-    if (l->file < 0 || ftruncate(l->file, (off_t)whole) != 0) {
+    if (l->file < 0) {
         TRY(cannot(path));
     }
-    if (whole == 0) {
+    TRY(lock(l->file, path, read));
+    if (ftruncate(l->file, (off_t)read->whole) != 0) {
+        TRY(cannot(path));
+    }
+    if (read->whole == 0) {
         head_of(p, head);
         TRY(write_line(l->file, head, path));
     }
@@ -203,14 +245,14 @@ done:
 status design_log_open(const design_problem *p, const ranks *r, design_log *out)
 {
     status st = OK;
-    size_t own = 0;
+    part own = {0};
     design_log l = {.nparameter = p->nparameter, .file = -1};
     if (p->log) {
         TRY(read_parts(p, r, &l, &own));
         if (l.ntrial > 0) {
             qsort(l.trial, (size_t)l.ntrial, sizeof *l.trial, compare);
         }
-        TRY(begin_writing(p, r, own, &l));
+        TRY(begin_writing(p, r, &own, &l));
     }
     *out = l;
     l = (design_log){.file = -1};

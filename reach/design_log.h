@@ -2,7 +2,8 @@
 // Designs that were looked at, as lines of a file that is only ever appended to:
 //   # stiffaxis design log 1 FINGERPRINT NPARAMETER
 //   island,evaluation,goal,score,x1,...
-// A line that was cut off when the program ended is left out and overwritten.
+// A line that was cut off when the program ended, the first one too, is left out and overwritten.
+// One search at a time writes it.
 #pragma once
 
 #include "reach/design.h"
@@ -16,7 +17,8 @@ typedef struct design_log {
 } design_log;
 
 // Begins the file where there is none. ERR_FILE where it is no such log or damaged, ERR_INPUT where
-// it is of another problem: then it is not touched. p->log NULL: an empty log that keeps nothing.
+// it is of another problem, ERR_RESOURCE where another search writes it: then it is not touched.
+// p->log NULL: an empty log that keeps nothing.
 status design_log_open(const design_problem *p, const ranks *r, design_log *out);
 void design_log_close(design_log *l);
 

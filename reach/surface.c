@@ -79,18 +79,23 @@ done:
     return st;
 }
 
-status surface_check_size(const surface *s, const char *path, double length)
+double surface_diagonal(const surface *s)
 {
     double square = 0;
     for (int d = 0; d < 3; d++) {
         square += (s->high[d] - s->low[d]) * (s->high[d] - s->low[d]);
     }
-    const double size = sqrt(square);
+    return sqrt(square);
+}
+
+status surface_check_size(const surface *s, const char *path, double length)
+{
+    const double size = surface_diagonal(s);
     if (size <= SURFACE_SIZES * length && length <= SURFACE_SIZES * size) {
         return OK;
     }
     return status_fail(ERR_INPUT,
-                       "%s is %.3g mm across, but the scope is %.3g mm long: is the file's unit "
-                       "another one?",
+                       "%s: the box around it has a diagonal of %.3g mm, but the scope is %.3g mm "
+                       "long: is the file's unit another one?",
                        path, 1e3 * size, 1e3 * length);
 }

@@ -43,6 +43,9 @@ status surface_make(int ntriangle, const double (*corner)[3][3], const surface_o
                     surface *out, surface_report *report);
 void surface_free(surface *s);
 
+// of the box around it [m]
+double surface_diagonal(const surface *s);
+
 // ERR_INPUT where a scope of this length [m] and this surface differ in size as only units do: by
 // more than SURFACE_SIZES either way.
 status surface_check_size(const surface *s, const char *path, double length);

@@ -1,6 +1,8 @@
 // reports/markup.c
 #include "reports/markup.h"
 
+#include "io/utf8.h"
+
 #include <stdarg.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -55,49 +57,24 @@ void bytes_free(bytes *b)
 
 int utf8_length(const char *text, size_t left)
 {
-    const unsigned char *t = (const unsigned char *)text;
-    const int n = t[0] < 0x80   ? 1
-                  : t[0] < 0xC2 ? 0
-                  : t[0] < 0xE0 ? 2
-                  : t[0] < 0xF0 ? 3
-                  : t[0] < 0xF5 ? 4
-                                : 0;
-    if (n == 0 || (size_t)n > left) {
-        return 0;
-    }
-    for (int i = 1; i < n; i++) {
-        if ((t[i] & 0xC0) != 0x80) {
-            return 0;
-        }
-    }
-    // too long a form, a surrogate, or past the last code point
-    const int second = n > 1 ? t[1] : 0;
-    if ((t[0] == 0xE0 && second < 0xA0) || (t[0] == 0xED && second > 0x9F) ||
-        (t[0] == 0xF0 && second < 0x90) || (t[0] == 0xF4 && second > 0x8F)) {
-        return 0;
-    }
-    return n;
-}
-
-static int is_control(const char *text, int n)
-{
-    const unsigned char *t = (const unsigned char *)text;
-    return (n == 1 && (t[0] < 0x20 || t[0] == 0x7F)) || (n == 2 && t[0] == 0xC2 && t[1] < 0xA0);
+    uint32_t point = 0;
+    return utf8_read(text, left, &point);
 }
 
 size_t utf8_clean(const char *text, char *out, size_t size)
 {
     size_t left = strlen(text), used = 0, count = 0;
     while (left > 0) {
-        const int n = utf8_length(text, left);
+        uint32_t point = 0;
+        const int n = utf8_read(text, left, &point);
         const size_t step = n > 0 ? (size_t)n : 1;
         if (used + step + 1 > size) {
             break;
         }
-        if (n == 0 || is_control(text, n)) {
+        if (n == 0 || !utf8_is_plain(point)) {
             out[used++] = n == 0 ? '?' : ' ';
         } else {
-            memcpy(out + used, text, step);
+            memmove(out + used, text, step);
             used += step;
         }
         text += step;
@@ -149,13 +126,14 @@ status markup_escape(bytes *b, const char *text, size_t length)
     status st = OK;
 
     while (length > 0) {
-        const int n = utf8_length(text, length);
+        uint32_t point = 0;
+        const int n = utf8_read(text, length, &point);
         const size_t step = n > 0 ? (size_t)n : 1;
         const char *word = n == 1 ? entity(*text) : NULL;
         const int blank = *text == '\n' || *text == '\t';
         if (word) {
             TRY(bytes_text(b, word));
-        } else if (n == 0 || (is_control(text, n) && !blank)) {
+        } else if (n == 0 || (!utf8_is_plain(point) && !blank)) {
             TRY(bytes_text(b, n == 0 ? "?" : " "));
         } else {
             TRY(bytes_append(b, text, step));

@@ -20,9 +20,9 @@ void bytes_free(bytes *b);
 // Number of bytes of the valid UTF-8 character at text (1..4), 0 where there is none.
 int utf8_length(const char *text, size_t left);
 
-// Copies text; bytes that are not UTF-8 become '?', control characters a space; never cuts a
-// character in two. Returns the number of characters, which is the number of columns for the
-// letters that this program writes.
+// Copies text; bytes that are not UTF-8 become '?', what is not plain (io/utf8.h) a space; never
+// cuts a character in two. `out` may be `text`. Returns the number of characters, which is the
+// number of columns for the letters that this program writes.
 size_t utf8_clean(const char *text, char *out, size_t size);
 
 // As utf8_clean, in at most `columns` characters: the last one is an ellipsis where something was

@@ -122,6 +122,9 @@ wrong() {
 }
 wrong 's/scope: soft/scope: hard/' "wrong.yaml:21:12: error: no scope is called 'hard'"
 wrong 's/name: off/name: pi/' "a parameter cannot be called 'pi': expressions know that name already"
+wrong 's/name: off/name: true/' "a parameter cannot be called 'true'"
+wrong 's/      - rod.length_mm=tip/&\n      - rod.length_mm=2*tip/' "wrong.yaml:27:9: error: 'rod.length_mm' is set twice"
+wrong 's/rod: {}/rod: {set: [rod.length_mm=9]}/' "'rod.length_mm' is set twice, by the scope's rod.set too"
 wrong 's/name: off/name: a-b/' "'a-b' is no name for a parameter"
 wrong 's/name: off/name: tip/' "two parameters are called 'tip'"
 wrong 's/radius_mm=off/radius_mm=0.2/' "parameter 'off' stands in no expression of \`set\`"

@@ -173,6 +173,22 @@ wanted = sum(reached(2 * (i + 0.5) / n - 1) for i in range(n)) / n
 if abs(share - wanted) > 0.004 or wanted < 0.03: sys.exit(f"{share}, wanted {wanted}")
 END
 
+# --- a user's words do nothing to a terminal: escapes, what ends a line, what turns the direction of writing
+
+printf 'name,x_mm,y_mm,z_mm\na\342\200\256b\342\200\250c\302\233d,0,0,15\n' >"$work/words.csv"
+sed -e 's/straight.csv/words.csv/' -e 's/name: long/name: "lo\\e[31mng\\u202e\\u2028"/' \
+    -e 's/^  synthetic: true/&\n  source: "from\\e]0;there\\a\\u0085"/' "$work/straight.yaml" >"$work/words.yaml"
+expect 0 "$program" reach "$work/words.yaml"
+out 'a b c d'
+out 'scope lo [31mng  : '
+out ': from ]0;there  '
+plain() {
+    ! LC_ALL=C grep -q "$(printf '[\001-\010\013-\037\177]\|\302[\200-\237]\|\342\200[\250-\256]')" "$1" || fail "$2 is not plain"
+}
+plain "$work/out" 'a table'
+expect 0 "$program" reach "$work/words.yaml" --out "$work/words"
+plain "$work/out" 'the summary'
+
 # --- what is wrong with a case: exit code 2 and its place
 
 sed 's/ball.stl/small.stl/' "$work/straight.yaml" >"$work/good.yaml"
@@ -213,6 +229,10 @@ wrong 's/direction:/towards_mm: [0, 0, 1], direction:/' 7 'exclude each other'
 wrong 's/\[0, 0, -20\]/[30, 0, -20]/' 7 'the entry line misses the tissue'
 wrong 's/direction: .0, 0, 3./direction: [0, 0, -3]/' 7 'leads away from the tissue'
 wrong 's/\[0, 0, -20\]/[19.2, 0, -20]/' 7 'nowhere room for a shaft'
+# the ball has 20 mm of room at its middle, 35 mm on; its facets cut a little off
+wrong '10s/radius_mm: 1.4/radius_mm: 21/' 7 'nowhere room for a shaft of 21'
+grep -q 'at most 19\.[0-9]* mm, 35[.0-9]* mm from the point$' "$work/err" || fail 'not the room that the ball has'
+wrong '10s/radius_mm: 1.4/radius_mm: 1400/' 7 'mm from the point; is the unit another one?'
 wrong '/targets:/d' 3 'nothing to reach'
 wrong 's/tissue_unit: mm/tissue_unit: m/' 4 "is the file's unit another one?"
 wrong 's/tissue_unit: mm/tissue_unit: um/' 4 "is the file's unit another one?"

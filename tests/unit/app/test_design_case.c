@@ -30,6 +30,9 @@ static void names_become_numbers_and_nothing_else_does(void)
     replaced("2e", "2(7)"); // no number's exponent: what follows tells that it is nonsense
     replaced("1.5E+2a", "1.5E+2(-1.5)");
     replaced("[a, 0.5, {x: e}]", "[(-1.5), 0.5, {x: (7)}]");
+    replaced("{a: a, 'width' : 2, x: {e: a}}", "{a: (-1.5), 'width' : 2, x: {e: (-1.5)}}");
+    replaced("x > 0 ? a : e", "x > 0 ? (-1.5) : (7)");
+    replaced("{x: 'min(1, a) > 0 ? a : 1'}", "{x: 'min(1, (-1.5)) > 0 ? (-1.5) : 1'}");
     replaced("", "");
     replaced("\xc3\xa4 a", "\xc3\xa4 (-1.5)");
 }

@@ -3,7 +3,9 @@
 #include "reach/ranks.h"
 #include "tests/test.h"
 
+#include <fcntl.h>
 #include <string.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -57,6 +59,7 @@ static design_problem problem(toy *t)
                             .start = start,
                             .score = staircase,
                             .context = t,
+                            .per_goal = 1,
                             .islands = 4,
                             .evaluations = 200,
                             .seed = 1,
@@ -216,6 +219,67 @@ static void refuse(const design_problem *p, status wanted, const char *words)
     status_clear();
 }
 
+// a log with this line in it
+static void damaged(const design_problem *p, const char *line)
+{
+    toy t = planted;
+    design_answer a;
+    design_problem fine = problem(&t);
+    CHECK(unlink(path) == 0);
+    fine.islands = 1;
+    fine.evaluations = 2;
+    fine.log = path;
+    CHECK_OK(design_search(&fine, &a));
+    design_answer_free(&a);
+    write_file("a", line);
+    refuse(p, ERR_FILE, ":4: is no line of a design search with 3 parameters");
+}
+
+static void a_first_line_that_was_cut_off_is_written_again(void)
+{
+    toy t = planted;
+    design_answer a;
+    design_problem p = problem(&t);
+    p.islands = 1;
+    p.evaluations = 2;
+    p.log = path;
+    CHECK_OK(design_search(&p, &a));
+    design_answer_free(&a);
+    const long size = file_size();
+    for (long cut = 0; cut < 60; cut += 7) { // the head has 60 bytes
+        CHECK(truncate(path, cut) == 0);
+        CHECK_OK(design_search(&p, &a));
+        CHECK(a.reused == 0 && file_size() == size);
+        design_answer_free(&a);
+    }
+    // another search's head is not this one's, cut or not
+    CHECK(truncate(path, 58) == 0);
+    hash_int(&p.problem, 1);
+    refuse(&p, ERR_INPUT, "belongs to the search of another case");
+    CHECK(unlink(path) == 0);
+}
+
+static void two_searches_do_not_write_one_log(void)
+{
+    toy t = planted;
+    design_answer a;
+    design_problem p = problem(&t);
+    p.islands = 1;
+    p.evaluations = 2;
+    p.log = path;
+    CHECK_OK(design_search(&p, &a));
+    design_answer_free(&a);
+    const int other = open(path, O_RDONLY);
+    CHECK(other >= 0 && flock(other, LOCK_EX | LOCK_NB) == 0);
+    p.evaluations = 4;
+    refuse(&p, ERR_RESOURCE, "log: another design search is writing this log");
+    CHECK(close(other) == 0);
+    CHECK_OK(design_search(&p, &a));
+    CHECK(a.reused == 2);
+    design_answer_free(&a);
+    CHECK(unlink(path) == 0);
+}
+
 static void logs_that_are_not_of_this_problem_are_not_touched(void)
 {
     toy t = planted;
@@ -234,6 +298,11 @@ static void logs_that_are_not_of_this_problem_are_not_touched(void)
     p.nparameter = N;
     write_file("a", "0,11,what\n");
     refuse(&p, ERR_FILE, ":12: is no line of a design search with 3 parameters");
+    damaged(&p, "0,3,3,4,0.5,0,2.5\n"); // a score of another goal
+    damaged(&p, "0,3,3,2.9,0.5,0,2.5\n");
+    damaged(&p, "0,3,nan,3.5,0.5,0,2.5\n");
+    damaged(&p, "0,3,3,nan,0.5,0,2.5\n");
+    damaged(&p, "0,3,-1,-0.5,0.5,0,2.5\n");
     write_file("w", "x,y,z\n1,2,3\n");
     refuse(&p, ERR_FILE, "is no log of a design search: not touched");
     p.log = folder;
@@ -328,6 +397,8 @@ int main(int argc, char **argv)
     the_answer_does_not_depend_on_the_workers_but_on_the_seed();
     an_interrupted_search_goes_on_where_it_ended();
     logs_that_are_not_of_this_problem_are_not_touched();
+    a_first_line_that_was_cut_off_is_written_again();
+    two_searches_do_not_write_one_log();
     a_log_that_cannot_be_written_is_told();
     what_is_no_box_is_refused();
     the_best_so_far_is_heard();

@@ -24,6 +24,15 @@ static void cleaning_leaves_text_that_any_terminal_may_see(void)
     char out[32];
     CHECK(utf8_clean("a\x1b[31m\xff\xC2\x9B", out, sizeof out) == 8);
     CHECK(strcmp(out, "a [31m? ") == 0);
+    // what ends a line, and what turns the direction of writing
+    (void)utf8_clean("a\xE2\x80\xA8"
+                     "b\xE2\x80\xAE"
+                     "c\xC2\x85",
+                     out, sizeof out);
+    CHECK(strcmp(out, "a b c ") == 0);
+    // a text in its own place
+    (void)snprintf(out, sizeof out, "x\xE2\x80\xAE\xC3\xA9\x07y");
+    CHECK(utf8_clean(out, out, sizeof out) == 5 && strcmp(out, "x \xC3\xA9 y") == 0);
     // no room for the second half of the last character
     CHECK(utf8_clean("ab\xC3\xA9", out, 4) == 2);
     CHECK(strcmp(out, "ab") == 0);
