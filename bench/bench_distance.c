@@ -22,10 +22,9 @@ static vec3 draw_within(unsigned *state, double half)
 }
 
 // microseconds per query, among all points about the surface or near it
-static double time_queries(const distance_tree *t, bool near, double *sum)
+static double time_queries(const surface *s, const distance_tree *t, bool near, double *sum)
 {
     unsigned state = 7;
-    const surface *s = distance_surface(t);
     const double begin = bench_cpu_ms();
     for (int i = 0; i < QUERIES; i++) {
         vec3 p = draw_within(&state, near ? 1e-3 : 55e-3);
@@ -55,11 +54,9 @@ static void time_bodies(const distance_tree *t, double us[2], double queries[2])
             const double bend = 0.01 + 3.0 * i / BODIES;
             const body_curve b = {
                 .at = arc_at, .context = &bend, .begin = 0, .end = 60e-3, .stretch = 1};
-            if (whole) {
-                clearance_along(t, &b, 1.5e-3, 1e-5, &c);
-            } else {
-                (void)clearance_is_free(t, &b, 1.5e-3, 0, 1e-5, &c);
-            }
+            // as a search asks for a pose's room: no more than whether there is any
+            const clearance_wish wish = {.tolerance = 1e-5, .below = whole ? -INFINITY : 0};
+            clearance_until(t, &b, 1.5e-3, &wish, &c);
             queries[whole] += (double)c.queries / BODIES;
         }
         us[whole] = 1e3 * (bench_cpu_ms() - begin) / BODIES;
@@ -81,7 +78,7 @@ static status run(int *missed)
     begin = bench_cpu_ms();
     TRY(distance_tree_make(&s, &t));
     const double tree = bench_cpu_ms() - begin;
-    const double about = time_queries(t, false, &sum), near = time_queries(t, true, &sum);
+    const double about = time_queries(&s, t, false, &sum), near = time_queries(&s, t, true, &sum);
     time_bodies(t, us, queries);
     printf("%d triangles, %d queries each (sum %.6g)\n", s.ntriangle, QUERIES, sum);
     printf("body of 60 mm: free or not %.1f us (%.0f queries), its clearance to 10 um %.1f us "

@@ -194,7 +194,8 @@ done:
 
 enum { MAP_POINTS = 10000 };
 
-static status map_all(const char *name, const scope *s, const distance_tree *tree, int *missed)
+static status map_all(const char *name, const scope *s, const surface *wall,
+                      const distance_tree *tree, int *missed)
 {
     status st = OK;
     scope_state *state = NULL;
@@ -210,7 +211,7 @@ static status map_all(const char *name, const scope *s, const distance_tree *tre
     const double start = bench_cpu_ms();
     TRY(TAKE(point, MAP_POINTS));
     TRY(TAKE(a.state, MAP_POINTS));
-    TRY(surface_samples(distance_surface(tree), MAP_POINTS, 1, point));
+    TRY(surface_samples(wall, MAP_POINTS, 1, point));
     TRY(scope_state_make(s, &entry, &state));
     TRY(inverse_make(s, &inv));
     TRY(reach_map(inv, state, &room, MAP_POINTS, (const double(*)[3])point, &options, &a));
@@ -242,13 +243,13 @@ static status searches(int *missed)
     printf("\nin a surface of %d triangles, map included\n", s.ntriangle);
     TRY(search_all("constant curvature", &m.scope, tree, &ms));
     *missed |= bench_target("20 targets", 1e-3 * ms, 2, "s");
-    TRY(map_all("constant curvature", &m.scope, tree, missed));
+    TRY(map_all("constant curvature", &m.scope, &s, tree, missed));
     for (int n = 1; n <= 2; n++) {
         neuro_scope(n, usual_plan, &m);
         st = search_all(n == 1 ? "neuro, 1 tendon" : "neuro, 2 tendons", &m.scope, tree, &ms);
-        st = st == OK
-                 ? map_all(n == 1 ? "neuro, 1 tendon" : "neuro, 2 tendons", &m.scope, tree, missed)
-                 : st;
+        st = st == OK ? map_all(n == 1 ? "neuro, 1 tendon" : "neuro, 2 tendons", &m.scope, &s, tree,
+                                missed)
+                      : st;
         free_scope(&m);
         TRY(st);
         *missed |= bench_target("20 targets", 1e-3 * ms, 2, "s");

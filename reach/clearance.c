@@ -129,35 +129,3 @@ void clearance_until(const distance_tree *t, const body_curve *body, double radi
     }
     out->bound = n > 0 ? -INFINITY : fmin(out->bound, out->least);
 }
-
-void clearance_along(const distance_tree *t, const body_curve *body, double radius,
-                     double tolerance, clearance *out)
-{
-    const clearance_wish all = {.tolerance = tolerance, .below = -INFINITY, .first = body->begin};
-    clearance_until(t, body, radius, &all, out);
-}
-
-bool clearance_is_free(const distance_tree *t, const body_curve *body, double radius, double least,
-                       double tolerance, clearance *at)
-{
-    clearance own;
-    walk w = {.t = t, .body = body, .radius = radius, .below = -INFINITY, .out = at ? at : &own};
-    piece todo[LEVELS + 1];
-    (void)whole_body(&w, body->begin, INFINITY, todo);
-    for (int n = 1; n > 0 && w.out->least >= least;) {
-        const piece c = todo[--n];
-        const double bound = piece_bound(&w, &c);
-        if (bound >= least) {
-            w.out->bound = fmin(w.out->bound, bound);
-            continue;
-        }
-        if (piece_half(&w, &c) <= tolerance || n + 2 > LEVELS) {
-            return false;
-        }
-        piece half[2];
-        split(&w, &c, half);
-        todo[n++] = half[1]; // from the begin on: the first place that is too near is found
-        todo[n++] = half[0];
-    }
-    return w.out->least >= least;
-}

@@ -26,24 +26,17 @@ typedef struct clearance {
     int queries;        // distances asked for
 } clearance;
 
-// The least of distance - radius over the whole curve, not of samples: between two places the
-// distance changes at most as the curve's length does. Takes |end - begin| / tolerance queries at
-// most, tolerance > 0 [m]. A curve's point that is not finite is no room: least is NAN.
-void clearance_along(const distance_tree *t, const body_curve *body, double radius,
-                     double tolerance, clearance *out);
-
-// The same as far as it decides: where the clearance is below `below`, `least` is only some number
-// under it that the clearance does not exceed, as soon as there is one. Quicker where the place s =
-// `first` is near the one where it is least.
+// How much of it is asked for, within `tolerance` > 0 [m]. below = -INFINITY, above = 0: all of it.
 typedef struct clearance_wish {
-    double tolerance, below, first;
+    double tolerance;
+    double below; // where the clearance is below this, `least` is only some number under it that
+                  // the clearance does not exceed, as soon as there is one
+    double first; // quicker where this s is near the one where it is least
     double above; // > 0: a clearance of more is told as this one, which is quicker too; 0: as it is
 } clearance_wish;
+
+// The least of distance - radius over the whole curve, not of samples: between two places the
+// distance changes at most as the curve's length does. Takes |end - begin| / tolerance queries at
+// most. A curve's point that is not finite is no room: least is NAN.
 void clearance_until(const distance_tree *t, const body_curve *body, double radius,
                      const clearance_wish *wish, clearance *out);
-
-// Whether the clearance is nowhere below `least`, as soon as that is known: true only where the
-// bound says so, so that a body within `tolerance` of it counts as not free. *at (may be NULL)
-// where it is least so far; the first place found to be too near where it is not free.
-bool clearance_is_free(const distance_tree *t, const body_curve *body, double radius, double least,
-                       double tolerance, clearance *at);

@@ -24,11 +24,6 @@ struct distance_tree {
     vec3 *vertex; // [nvertex] angle-weighted
 };
 
-const surface *distance_surface(const distance_tree *t)
-{
-    return t->s;
-}
-
 static void triangle_box(const void *context, int i, double low[3], double high[3])
 {
     const surface *s = context;
@@ -130,7 +125,6 @@ typedef struct search {
     const distance_tree *t;
     vec3 p;
     double radius; // the least distance so far, or what it must be below
-    double enough; // a distance below this ends the search
     vec3 nearest;
     int triangle, place;
 } search;
@@ -152,7 +146,7 @@ static double look(void *context, int i)
         s->triangle = i;
         s->place = place;
     }
-    return s->triangle >= 0 && s->radius < s->enough ? -1 : s->radius;
+    return s->radius;
 }
 
 // the normal that tells the sides where the nearest point is
@@ -181,7 +175,7 @@ static nearest_point answer(const search *s)
 
 static nearest_point search_tree(const distance_tree *t, vec3 p, double radius)
 {
-    search s = {.t = t, .p = p, .radius = radius, .enough = -1, .triangle = -1};
+    search s = {.t = t, .p = p, .radius = radius, .triangle = -1};
     t->door->near(t->boxes, p.a, radius, look, &s);
     return answer(&s);
 }
@@ -207,15 +201,4 @@ nearest_point distance_within(const distance_tree *t, vec3 p, double radius)
 nearest_point distance_to(const distance_tree *t, vec3 p)
 {
     return distance_within(t, p, INFINITY);
-}
-
-bool distance_is_free(const distance_tree *t, vec3 p, double least)
-{
-    const distance_range known = distance_between(t, p);
-    if (known.low >= least || known.high < least) {
-        return known.low >= least;
-    }
-    search s = {.t = t, .p = p, .radius = INFINITY, .enough = least, .triangle = -1};
-    t->door->near(t->boxes, p.a, INFINITY, look, &s);
-    return answer(&s).distance >= least;
 }

@@ -33,8 +33,3 @@ typedef struct distance_range {
 distance_range distance_between(const distance_tree *t, vec3 p);
 // narrower, and less quick
 distance_range distance_between_closely(const distance_tree *t, vec3 p);
-
-// Whether p is inside and the surface at least `least` away: quicker where it is not.
-bool distance_is_free(const distance_tree *t, vec3 p, double least);
-
-const surface *distance_surface(const distance_tree *t);
