@@ -6,7 +6,14 @@
 #include "io/disk.h"
 
 #include <limits.h>
+#include <math.h>
 #include <string.h>
+
+// places along a rod whose section changes that are looked at, ends included
+enum { WIDTH_SAMPLES = 33 };
+
+// a curve's outline may be drawn by chords and its numbers are rounded: so much of the radius
+static const double same_radius = 1e-6;
 
 bool reach_base_needed(const case_data *c)
 {
@@ -118,6 +125,31 @@ static status check_tendons(const case_data *c, const scope_case *said, int nten
     return OK;
 }
 
+// A body thinner than its own rod would be told to have room that it does not have.
+static status check_width(const case_data *c, const scope_case *said, const case_data *rod)
+{
+    status st = OK;
+    double widest = 0, at = 0;
+    const section_case *section = &rod->file.section;
+    const int n = section_varies(section) ? WIDTH_SAMPLES : 1;
+    for (int i = 0; i < n; i++) {
+        const double s = n > 1 ? rod->file.rod.length * i / (n - 1) : 0;
+        double here = 0;
+        TRY(reach_scope_tell(c, said, section_reach_at(section, s, &here)));
+        at = here > widest ? s : at;
+        widest = fmax(widest, here);
+    }
+    if (widest > said->radius * (1 + same_radius)) {
+        st = config_fail(c->config, said->at,
+                         "scope '%s': its radius is %.6g mm, but its rod's section reaches %.6g mm "
+                         "from the centreline, at s = %.4g mm",
+                         said->name, 1e3 * said->radius, 1e3 * widest, 1e3 * at);
+    }
+
+done:
+    return st;
+}
+
 status reach_scope_check(const case_data *c, int i)
 {
     status st = OK;
@@ -131,6 +163,7 @@ status reach_scope_check(const case_data *c, int i)
     TRY(said->rod.file.text ? reach_scope_tell(c, said, read_other(c, said, &s, &other))
                             : variation_read(c, &s, said->rod.at, &other));
     TRY(check_tendons(c, said, other.file.rod.tendons.count));
+    TRY(check_width(c, said, &other));
     if (rod_case_loads(&other.file.rod) > 0) {
         st = status_fail(ERR_INPUT, "its rod bears loads; a scope's shape may depend on its "
                                     "tendons only");
@@ -158,6 +191,7 @@ static status make_rod_scope(const case_data *c, variation *base, const settings
     }
     const case_file *f = &out->rod.c.file;
     TRY(check_tendons(c, said, f->rod.tendons.count));
+    TRY(check_width(c, said, &out->rod.c));
     out->scope.rod = out->rod.rod;
     out->scope.length = f->rod.length;
     out->scope.njoint = SCOPE_BEND + f->rod.tendons.count;

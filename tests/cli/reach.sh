@@ -221,6 +221,14 @@ wrong '11s/constant_curvature: {.*}/rod: {file: other.yaml}, tensions_N: [[0, 1]
 sed 's/^rod: {/&gravity_m_per_s2: [0, 0, -9.81], /; s/nu: 0.45/nu: 0.45, density_kg_per_m3: 1000/' "$work/other.yaml" \
     >"$work/heavy.yaml"
 wrong '11s/constant_curvature: {.*}/rod: {file: heavy.yaml}, tensions_N: [[0, 1]]}/' 11 'its rod bears loads'
+# no thinner than its rod, wherever that is widest
+sed 's/outer_radius_mm: 1.4/outer_radius_mm: 1.5/' "$work/other.yaml" >"$work/wide.yaml"
+sed 's/outer_radius_mm: 1.4/outer_radius_mm: 1.3 + s\/10/' "$work/other.yaml" >"$work/grows.yaml"
+wrong '11s/constant_curvature: {.*}/rod: {file: wide.yaml}, tensions_N: [[0, 1]]}/' 11:7 \
+    "scope 'short': its radius is 1.4 mm, but its rod's section reaches 1.5 mm from the centreline"
+sed '11s/constant_curvature: {.*}/rod: {file: grows.yaml}, tensions_N: [[0, 1]]}/' "$work/good.yaml" >"$work/bad.yaml"
+expect 2 "$program" check "$work/bad.yaml"
+err 'section reaches 2.5 mm from the centreline, at s = 12 mm'
 wrong '2s/.*/rod: {length_mm: 5}/' 2 "key 'section' is missing in the case: its 'rod' needs one"
 wrong 's/direction: .0, 0, 3./direction: [0, 0, 0]/' 7 'has no length'
 wrong 's/direction: .0, 0, 3./towards_mm: [0, 0, -20]/' 7 'goes nowhere'
