@@ -47,6 +47,7 @@ static status tell_scene(const case_data *c, const reach_scene *scene, int nscop
     out->resolution = reach_resolution(r->tolerance);
     out->tip = r->tip;
     out->path = r->path;
+    out->paper = r->paper;
 
 done:
     return st;

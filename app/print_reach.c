@@ -1,6 +1,7 @@
 // app/print_reach.c
 #include "app/print.h"
 #include "io/utf8.h"
+#include "reach/reach_case.h"
 #include "reports/reach_show.h"
 
 #include <math.h>
@@ -158,7 +159,7 @@ static void print_comparison(const reach_result *r)
         }
         printf(" %10.2f\n", s->seconds);
     }
-    if (r->ntarget > 0) {
+    if (r->paper == REACH_PAPER_TABLE_4) {
         printf("the paper's Table IV, on a patient's anatomy that is not published: constant "
                "curvature %d of %d, helical %d of %d\n",
                PAPER_REACH_CONSTANT_CURVATURE, PAPER_REACH_TARGETS, PAPER_REACH_HELICAL,

@@ -59,6 +59,8 @@ void entry_direction(const entry_case *e, double direction[3]);
 typedef enum reach_tip { REACH_TIP_CENTRE, REACH_TIP_SKIN } reach_tip;
 typedef enum reach_path { REACH_FINAL_POSE, REACH_INSERTION } reach_path;
 
+typedef enum reach_paper { REACH_PAPER_NONE, REACH_PAPER_TABLE_4 } reach_paper;
+
 typedef struct reach_map_case {
     mark at;
     int points, seed;
@@ -98,6 +100,7 @@ typedef struct reach_case {
     int path;         // reach_path: what is checked
     bool synthetic;   // said wherever the anatomy is shown
     const char *source;
+    int paper; // reach_paper: whose published counts stand beside
     reach_map_case map;
     key_list scopes; // of scope_case
     design_case design;

@@ -276,6 +276,13 @@ static const key reach_list[] = {
      .kind = KEY_TEXT,
      .offset = offsetof(reach_case, source),
      .about = "where the anatomy comes from"},
+    {.name = "paper",
+     .kind = KEY_CHOICE,
+     .choices = "none|table_4",
+     .initial = "none",
+     .offset = offsetof(reach_case, paper),
+     .about = "the table of the paper whose counts stand beside, as printed there, on an anatomy "
+              "that is not published"},
     {.name = "map",
      .kind = KEY_TABLE,
      .offset = offsetof(reach_case, map),

@@ -1,6 +1,6 @@
 // reports/csv_reach.c
-// reach.csv: a row per scope and target; reach_scopes.csv: the scopes beside each other, and the
-// paper's; reach_body.csv: the bodies in their poses; reach_way.csv: the ways in; reach_map.csv:
+// reach.csv: a row per scope and target; reach_scopes.csv: the scopes beside each other;
+// reach_body.csv: the bodies in their poses; reach_way.csv: the ways in; reach_map.csv:
 // the samples of the wall; design.csv: what a search for a design found.
 #include "reach/reach_case.h"
 #include "reports/csv_kit.h"
@@ -117,22 +117,6 @@ static void write_scope(csv *c, const reach_result *r, const reach_scope_result 
     csv_real(c, s->seconds);
 }
 
-static void write_paper(csv *c, const reach_result *r, const char *name, int reached)
-{
-    csv_text(c, name);
-    csv_text(c, "as printed in the paper");
-    csv_text(c, "a patient's, not published");
-    csv_real(c, reached);
-    csv_real(c, PAPER_REACH_TARGETS);
-    csv_real(c, (double)reached / PAPER_REACH_TARGETS);
-    const int ntendon = most_tendons(r);
-    for (int i = 0; i < 5 + 2 * (3 + ntendon); i++) {
-        csv_real(c, NAN);
-    }
-    csv_text(c, "");
-    csv_reals(c, 3, (const double[]){NAN, NAN, NAN});
-}
-
 static status write_scopes(const reach_result *r, const char *dir)
 {
     csv *c = NULL;
@@ -145,10 +129,6 @@ static status write_scopes(const reach_result *r, const char *dir)
     const status st = csv_table(dir, "reach_scopes.csv", &h, &c);
     for (int i = 0; st == OK && i < r->nscope; i++) {
         write_scope(c, r, &r->scope[i]);
-    }
-    if (st == OK) {
-        write_paper(c, r, "constant curvature", PAPER_REACH_CONSTANT_CURVATURE);
-        write_paper(c, r, "helical", PAPER_REACH_HELICAL);
     }
     return st == OK ? csv_close(c) : st;
 }

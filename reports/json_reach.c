@@ -139,8 +139,12 @@ static void write_targets(json *j, const reach_result *r)
     json_array_end(j);
 }
 
-static void write_paper(json *j)
+static void write_paper(json *j, const reach_result *r)
 {
+    if (r->paper == REACH_PAPER_NONE) {
+        json_null(j, "as_printed_in_the_paper");
+        return;
+    }
     json_object(j, "as_printed_in_the_paper");
     json_text(j, "anatomy", "a patient's, not published");
     json_integer(j, "targets", PAPER_REACH_TARGETS);
@@ -221,7 +225,7 @@ status result_json_reach(json *j, const char *key, const run_result *run)
     json_real(j, "resolution_m", r->resolution);
     json_text(j, "tip", r->tip == REACH_TIP_SKIN ? "skin" : "centre");
     json_text(j, "checked", r->path == REACH_INSERTION ? "insertion" : "final_pose");
-    write_paper(j);
+    write_paper(j, r);
     write_targets(j, r);
     json_array(j, "scopes");
     for (int i = 0; i < r->nscope; i++) {

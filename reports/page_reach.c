@@ -114,11 +114,16 @@ static status scope_table(bytes *page, const reach_result *r)
         TRY(scope_row(page, r, &r->scope[i],
                       r->nscope > 1 && r->scope[i].nreached == r->scope[best].nreached));
     }
-    TRY(paper_row(page, "constant curvature", PAPER_REACH_CONSTANT_CURVATURE));
-    TRY(paper_row(page, "helical stiffness", PAPER_REACH_HELICAL));
-    PAGE("</tbody></table></div>\n<p class=\"note\">The paper's counts (Table IV) are as printed "
-         "in the paper, on a patient's anatomy that is not published: they stand here to be read "
-         "beside ours, not to be met.</p>\n");
+    if (r->paper == REACH_PAPER_TABLE_4) {
+        TRY(paper_row(page, "constant curvature", PAPER_REACH_CONSTANT_CURVATURE));
+        TRY(paper_row(page, "helical stiffness", PAPER_REACH_HELICAL));
+    }
+    PAGE("</tbody></table></div>\n");
+    if (r->paper == REACH_PAPER_TABLE_4) {
+        PAGE("<p class=\"note\">The paper's counts (Table IV) are as printed in the paper, on a "
+             "patient's anatomy that is not published: they stand here to be read beside ours, "
+             "not to be met.</p>\n");
+    }
 
 done:
     return st;

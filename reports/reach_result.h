@@ -106,6 +106,7 @@ typedef struct reach_result {
     double tolerance, clearance;
     double resolution; // boxes of joints in which the body moves by less were not divided [m]
     int tip, path;     // reach_tip, reach_path
+    int paper;         // reach_paper: whose counts stand beside
     int ntarget;
     char (*target_name)[REACH_NAME];
     double (*target)[3];

@@ -191,6 +191,10 @@ status store_pass_reach(const passage *p, run_result *r)
     }
     TRY(pass_counts(p, reach));
     TRY(pass_head(p, reach));
+    // a case may ask for none
+    if (p->reading ? store_has(p->store, "reach/paper_table_4") : reach->paper) {
+        TRY(passage_count(p, "reach/paper_table_4", 0, REACH_PAPER_TABLE_4, &reach->paper));
+    }
     TRY(pass_anatomy(p, reach));
     for (int i = 0; i < reach->nscope; i++) {
         TRY(pass_scope(p, i, reach));

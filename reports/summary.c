@@ -279,9 +279,12 @@ static void reach_lines(summary *s, const reach_result *r)
     if (r->nscope > SHOWN) {
         add(s, "         and %d more scopes in reach_scopes.csv", r->nscope - SHOWN);
     }
-    add(s,
-        "         the paper prints %d and %d of %d, on a patient's anatomy that is not published",
-        PAPER_REACH_CONSTANT_CURVATURE, PAPER_REACH_HELICAL, PAPER_REACH_TARGETS);
+    if (r->paper == REACH_PAPER_TABLE_4) {
+        add(s,
+            "         the paper prints %d and %d of %d, on a patient's anatomy that is not "
+            "published",
+            PAPER_REACH_CONSTANT_CURVATURE, PAPER_REACH_HELICAL, PAPER_REACH_TARGETS);
+    }
     const reach_design_result *d = &r->design;
     if (d->there && d->nrow > 0) {
         const double unit = d->goal == DESIGN_AREA ? 100 : 1;

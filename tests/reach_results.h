@@ -254,6 +254,7 @@ static inline status reach_results_make(bool hostile, bool map, bool design, rea
     r->resolution = 5e-5;
     r->map_seed = 1;
     r->path = REACH_INSERTION;
+    r->paper = hostile ? REACH_PAPER_NONE : REACH_PAPER_TABLE_4;
     egg_wall(r);
     egg_targets(r, hostile);
     for (int k = 0; k < r->nmap; k++) { // a spiral from pole to pole

@@ -36,6 +36,8 @@ out 'SYNTHETIC tissue ball.stl'
 out 'checked: the final pose'
 out 'long                                    3 of    5'
 out 'short                                   2 of    5'
+! grep -q "paper's Table" "$work/out" || fail "the paper's counts, though the case does not ask for them"
+expect 0 "$program" reach "$work/straight.yaml" --set reach.paper=table_4
 out "the paper's Table IV, on a patient's anatomy that is not published: constant curvature 14 of 20, helical 18 of 20"
 expect 0 "$program" reach "$work/straight.yaml" --json
 cp "$work/out" "$work/straight.json"

@@ -42,6 +42,7 @@ reach:
   synthetic: true
   source: made by a test & nobody's
   map: {points: 200, seed: 3}
+  paper: table_4
   scopes:
     - {name: "arc <i>", radius_mm: 1.4, insertion_mm: [0, 60], constant_curvature: {length_mm: 20, bend_deg: [0, 180]}}
     - {name: rod, radius_mm: 1.4, insertion_mm: [0, 60], rod: {}, tensions_N: [[0, 0.3]], strain_limit: true}
@@ -79,7 +80,7 @@ for row, (s, a) in zip(rows, answers):
 if not any(a["verdict"] == "reached" for s, a in answers): sys.exit("nothing is reached")
 if all(a["verdict"] == "reached" for s, a in answers): sys.exit("all is reached")
 scopes = list(csv.DictReader(open(f"{sys.argv[1]}/first/reach_scopes.csv")))
-if [int(r["reached_count"]) for r in scopes] != [s["reached"] for s in told["scopes"]] + [14, 18]: sys.exit("counts")
+if [int(r["reached_count"]) for r in scopes] != [s["reached"] for s in told["scopes"]]: sys.exit("counts")
 if [r["anatomy"] for r in scopes] != ["synthetic"] * 2 + ["a patient's, not published"] * 2: sys.exit("whose anatomy")
 samples = list(csv.DictReader(open(f"{sys.argv[1]}/first/reach_map.csv")))
 if len(samples) != 200: sys.exit("samples")

@@ -115,7 +115,7 @@ static void the_store_gives_it_back(void)
         CHECK(a->area == b->area && a->volume == b->volume && a->entry_free == b->entry_free);
         CHECK(a->tolerance == b->tolerance && a->clearance == b->clearance);
         CHECK(a->resolution == b->resolution && a->map_seed == b->map_seed);
-        CHECK(a->tip == b->tip && a->path == b->path);
+        CHECK(a->tip == b->tip && a->path == b->path && a->paper == b->paper);
         check_anatomy(a, b);
         for (int i = 0; i < a->nscope && i < b->nscope; i++) {
             check_scope(a, &a->scope[i], &b->scope[i]);
