@@ -145,8 +145,8 @@ static void print_scope(const reach_result *r, const reach_scope_result *s)
 
 static void print_comparison(const reach_result *r)
 {
-    printf("%-32s %16s%s %10s\n", "scope", "reached", r->nmap > 0 ? "    share of area" : "",
-           "CPU s");
+    printf("%-32s %16s%s %10s\n", "scope", "reached",
+           r->nmap > 0 ? "    share of area                 " : "", "CPU s");
     for (int i = 0; i < r->nscope; i++) {
         const reach_scope_result *s = &r->scope[i];
         if (r->ntarget > 0) {
@@ -155,7 +155,8 @@ static void print_comparison(const reach_result *r)
             printf("%-32.60s %16s", print_plain(s->name).text, "-");
         }
         if (r->nmap > 0) {
-            printf("  %5.1f +- %.1f %%", 100 * s->area_reached, 100 * s->area_error);
+            printf("  %5.1f +- %.1f %%, %4.1f %% not known", 100 * s->area_reached,
+                   100 * s->area_error, 100 * s->area_undecided);
         }
         printf(" %10.2f\n", s->seconds);
     }

@@ -204,7 +204,8 @@ static const key_table map_table = {
     .size = sizeof(reach_map_case),
     .nkey = COUNT(map_list),
     .keys = map_list,
-    .about = "which share of the tissue's surface every scope reaches",
+    .about = "which share of the tissue's surface every scope reaches: where the tip's skin comes "
+             "within tolerance and clearance, whatever `tip` says",
 };
 
 // --- the whole

@@ -56,6 +56,12 @@ static status question(bytes *page, const reach_result *r)
         PAGE("; %s mm are left between body and tissue", number_short(1e3 * r->clearance, 4).text);
     }
     PAGE(".</p>\n");
+    if (r->nmap > 0) {
+        PAGE("<p>A place of the wall counts as reached where the tip's skin comes within %s mm of "
+             "it, tolerance and clearance together, whatever of the tip is asked for at targets: "
+             "%d places, equally many per area.</p>\n",
+             number_short(1e3 * (r->tolerance + r->clearance), 4).text, r->nmap);
+    }
 
 done:
     return st;

@@ -159,6 +159,9 @@ reach:
   scopes:
     - {name: hook, radius_mm: 1.4, insertion_mm: [0, 60], constant_curvature: {length_mm: 14, bend_deg: [60, 60]}}
 END
+expect 0 "$program" reach "$work/map.yaml" --set reach.map.points=200
+out "reached where the tip's skin comes within 1 mm"
+grep -q '^hook .* +- [0-9.]* %, *[0-9.]* % not known ' "$work/out" || fail 'the share that is not known is not told'
 expect 0 "$program" reach "$work/map.yaml" --json
 python3 - "$work/out" <<'END' || fail 'the map: not the share that a hook in a ball reaches'
 import json, math, sys

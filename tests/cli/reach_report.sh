@@ -81,7 +81,7 @@ if not any(a["verdict"] == "reached" for s, a in answers): sys.exit("nothing is 
 if all(a["verdict"] == "reached" for s, a in answers): sys.exit("all is reached")
 scopes = list(csv.DictReader(open(f"{sys.argv[1]}/first/reach_scopes.csv")))
 if [int(r["reached_count"]) for r in scopes] != [s["reached"] for s in told["scopes"]]: sys.exit("counts")
-if [r["anatomy"] for r in scopes] != ["synthetic"] * 2 + ["a patient's, not published"] * 2: sys.exit("whose anatomy")
+if [r["anatomy"] for r in scopes] != ["synthetic"] * 2: sys.exit("whose anatomy")
 samples = list(csv.DictReader(open(f"{sys.argv[1]}/first/reach_map.csv")))
 if len(samples) != 200: sys.exit("samples")
 for i, s in enumerate(told["scopes"]):

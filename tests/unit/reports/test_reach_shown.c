@@ -123,6 +123,7 @@ static void the_page_tells_it_all(void)
     CHECK(count_of(page, "The anatomy is synthetic") == 1);
     CHECK(count_of(page, "in synthetic anatomy") >= 5); // headline numbers, tables
     CHECK(count_of(page, "<td>14 of 20</td>") == 1 && count_of(page, "<td>18 of 20</td>") == 1);
+    CHECK(count_of(page, "where the tip's skin comes within 1 mm of it") == 1);
     CHECK(count_of(page, "as printed in the paper") == 3);
     CHECK(count_of(page, "✓ reached") == 3 && count_of(page, "✗ collision") == 3);
     CHECK(count_of(page, "✗ no way in") == 3 && count_of(page, "✗ failed") == 3);
