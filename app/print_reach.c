@@ -67,8 +67,8 @@ static void print_answer(const reach_result *r, const reach_scope_result *s, int
 {
     const reach_answer *a = &s->answer[i];
     const print_words name = print_plain(r->target_name[i]);
-    printf("  %s%*s %-12s", name.text, width - (int)utf8_count(name.text), "",
-           reach_verdict_words(a->verdict));
+    printf("  %s%*s %-21s", name.text, width - (int)utf8_count(name.text), "",
+           reach_told_words(r, s, a));
     put(8, 3, 1e3 * a->miss);
     put(8, 3, 1e3 * a->clearance);
     if (r->path == REACH_INSERTION) {
@@ -88,7 +88,7 @@ static void print_answer(const reach_result *r, const reach_scope_result *s, int
 static void print_names(const reach_result *r, const reach_scope_result *s, int width)
 {
     char joint[24];
-    printf("  %-*s %-12s %8s %8s%s %9s %8s", width, "target", "", "miss mm", "room mm",
+    printf("  %-*s %-21s %8s %8s%s %9s %8s", width, "target", "", "miss mm", "room mm",
            r->path == REACH_INSERTION ? "  on way" : "", "insert mm", "turn deg");
     for (int i = SCOPE_BEND; i < s->njoint; i++) {
         (void)snprintf(joint, sizeof joint, s->njoint > SCOPE_BEND + 1 ? "pull%d N" : "pull N",
@@ -108,12 +108,13 @@ static void print_thoroughness(const reach_result *r, const reach_scope_result *
         const reach_answer *a = &s->answer[i];
         const bool is_far =
             a->verdict == REACH_OUT_OF_REACH || (a->verdict == REACH_JOINT_LIMIT && a->joint >= 0);
-        far = far < 0 && is_far ? i : far;
+        // the least sure of them
+        far = is_far && (far < 0 || !reach_is_proved(r, s, a)) ? i : far;
         if (a->verdict == REACH_COLLISION) {
             touch++;
-            proved += reach_is_proved(r, a);
+            proved += reach_is_proved(r, s, a);
             looks = a->looks > looks ? a->looks : looks;
-            room = reach_is_proved(r, a) ? room : fmax(room, a->bound);
+            room = reach_is_proved(r, s, a) ? room : fmax(room, a->bound);
         }
     }
     if (far >= 0) {
@@ -145,14 +146,15 @@ static void print_scope(const reach_result *r, const reach_scope_result *s)
 
 static void print_comparison(const reach_result *r)
 {
-    printf("%-32s %16s%s %10s\n", "scope", "reached",
+    printf("%-32s %16s %10s%s %10s\n", "scope", "reached", "not proved",
            r->nmap > 0 ? "    share of area                 " : "", "CPU s");
     for (int i = 0; i < r->nscope; i++) {
         const reach_scope_result *s = &r->scope[i];
         if (r->ntarget > 0) {
-            printf("%-32.60s %8d of %4d", print_plain(s->name).text, s->nreached, r->ntarget);
+            printf("%-32.60s %8d of %4d %10d", print_plain(s->name).text, s->nreached, r->ntarget,
+                   reach_open_count(r, s));
         } else {
-            printf("%-32.60s %16s", print_plain(s->name).text, "-");
+            printf("%-32.60s %16s %10s", print_plain(s->name).text, "-", "-");
         }
         if (r->nmap > 0) {
             printf("  %5.1f +- %.1f %%, %4.1f %% not known", 100 * s->area_reached,

@@ -166,13 +166,14 @@ status reach_study_scope(const reach_study *how, reach_scope *s, reach_scope_res
     TRY(reach_work_make(how, s, &w));
     tell_scope(&w, out);
     TRY(search_all(&w, out));
-    TRY(reach_tell_strains(how, s, out));
+    TRY(reach_tell_strains(how, s, w.strains, out));
     for (int i = 0; i < ntarget; i++) {
         TRY(how->bodies ? reach_tell_body(how, w.state, &out->answer[i]) : OK);
         reach_tell_reason(how, s, &out->answer[i]);
     }
     count_reached(ntarget, out);
     TRY(how->nmap > 0 ? study_map(&w, out) : OK);
+    reach_tell_tendons(s, ntarget, out);
     out->seconds = cpu_seconds() - begin;
 
 done:

@@ -236,6 +236,7 @@ status reach_scope_make(const case_data *c, variation *base, int i, const settin
         make_arc_scope(out);
     }
     TRY(case_place(c, scope_check(&out->scope), said->at));
+    scope_hold(&out->scope);
     if (said->strain_limit && out->scope.njoint == SCOPE_BEND + 1) {
         TRY(reach_scope_tell(c, said, reach_limit_tension(out)));
     }

@@ -40,14 +40,24 @@ status reach_base_open(const case_data *c, const section_result *section, variat
 
 // app/reach_strain.c
 
-// The largest strains of all materials of its case [n][nmaterial] in n poses; the scope is a rod.
-status reach_strains(reach_scope *s, int n, const double (*q)[SCOPE_JOINTS],
-                     section_strain_place *out);
+// Where the materials of a rod are strained: its sections are solved once for all poses.
+typedef struct reach_strain_probe reach_strain_probe;
+status reach_strain_probe_make(reach_scope *s, reach_strain_probe **out);
+void reach_strain_probe_free(reach_strain_probe *p);
+
+// The largest strains of all materials of its case [nmaterial] in a pose.
+status reach_strain_at(const reach_strain_probe *p, const double *q, section_strain_place *out);
+
+// Whether poses are refused for their strains: with one tendon its tension is limited before.
+bool reach_strain_is_searched(const reach_scope *s);
 
 // The material that is strained furthest past its linear_strain, and by how much of it; *share is
 // above 1 past it. -1: no material has one.
 int reach_worst_strain(const reach_scope *s, const section_strain_place *strain, double *share);
 
-// One tendon: its tension's upper limit becomes the largest up to which no material passes its
-// linear_strain, and limit_note says so.
+// That share in a pose.
+status reach_strain_share(const reach_strain_probe *p, const double *q, double *share);
+
+// One tendon that is no held one: its tension's upper limit becomes the largest up to which no
+// material passes its linear_strain, and limit_note says so.
 status reach_limit_tension(reach_scope *s);

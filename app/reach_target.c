@@ -15,7 +15,7 @@ enum { WAY_LOOKS = 20000 };
 
 // --- what the work needs
 
-status reach_work_make(const reach_study *how, const reach_scope *s, reach_work *w)
+status reach_work_make(const reach_study *how, reach_scope *s, reach_work *w)
 {
     status st = OK;
     const reach_case *r = &how->c->file.reach;
@@ -30,6 +30,12 @@ status reach_work_make(const reach_study *how, const reach_scope *s, reach_work 
                            .shaft_free = how->scene->shaft_free,
                            .leave = r->clearance};
     w->probe = scope_room_probe(&w->room);
+    if (s->v && (how->bodies || s->said->strain_limit)) {
+        TRY(reach_strain_probe_make(s, &w->strains));
+    }
+    if (reach_strain_is_searched(s)) {
+        w->probe = strained_room_probe(w->strains, &w->room, &w->strained);
+    }
     TRY(scope_state_make(&s->scope, &how->scene->entry, &w->state));
     TRY(inverse_make(&s->scope, &w->inverse));
 
@@ -39,6 +45,7 @@ done:
 
 void reach_work_free(reach_work *w)
 {
+    reach_strain_probe_free(w->strains);
     inverse_free(w->inverse);
     scope_state_free(w->state);
     *w = (reach_work){0};

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app/reach_run.h"
+#include "app/strained_room.h"
 #include "reach/scope_room.h"
 #include "reach/way.h"
 
@@ -12,13 +13,15 @@ typedef struct reach_work {
     inverse *inverse;
     scope_state *state;
     scope_room room;
-    room_probe probe; // of that
+    reach_strain_probe *strains; // NULL: no strains are asked for
+    strained_room strained;
+    room_probe probe; // of the room, and of the strains where they may refuse a pose
     search_options options;
     int first; // target of the first item
 } reach_work;
 
 // In place: *out must not move.
-status reach_work_make(const reach_study *how, const reach_scope *s, reach_work *out);
+status reach_work_make(const reach_study *how, reach_scope *s, reach_work *out);
 void reach_work_free(reach_work *w);
 
 // Plain bytes, as a worker hands them over.

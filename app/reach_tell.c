@@ -9,22 +9,6 @@
 
 // --- strains
 
-static status find_strains(reach_scope *s, int n, const reach_scope_result *r, const int *which,
-                           section_strain_place *strain)
-{
-    status st = OK;
-    double(*q)[SCOPE_JOINTS] = NULL;
-    TRY(TAKE(q, (size_t)n));
-    for (int i = 0; i < n; i++) {
-        memcpy(q[i], r->answer[which[i]].q, sizeof q[i]);
-    }
-    TRY(reach_strains(s, n, (const double(*)[SCOPE_JOINTS])q, strain));
-
-done:
-    free(q);
-    return st;
-}
-
 static void keep_strain(const reach_scope *s, const section_strain_place *strain, reach_answer *a)
 {
     const case_data *c = &s->rod.c;
@@ -34,9 +18,7 @@ static void keep_strain(const reach_scope *s, const section_strain_place *strain
     for (int m = 0; m < c->nmaterial; m++) {
         a->strain = fmax(a->strain, fabs(strain[m].value));
     }
-    // one tendon's tension is limited before
-    if (s->said->strain_limit && s->scope.njoint > SCOPE_BEND + 1 && share > 1 &&
-        a->verdict == REACH_REACHED) {
+    if (reach_strain_is_searched(s) && share > 1 && a->verdict == REACH_REACHED) {
         a->verdict = REACH_JOINT_LIMIT;
         (void)snprintf(a->why, sizeof a->why, "'%.40s' is strained by %.3g %%, past its %.3g %%",
                        c->materials[worst].name, 100 * fabs(strain[worst].value),
@@ -44,31 +26,57 @@ static void keep_strain(const reach_scope *s, const section_strain_place *strain
     }
 }
 
-status reach_tell_strains(const reach_study *how, reach_scope *s, reach_scope_result *r)
+status reach_tell_strains(const reach_study *how, const reach_scope *s,
+                          const reach_strain_probe *strains, reach_scope_result *r)
 {
     status st = OK;
-    int *which = NULL, n = 0;
     section_strain_place *strain = NULL;
-    const int ntarget = how->scene->ntarget, nmaterial = s->rod.c.nmaterial;
-    if (!s->v || (!how->bodies && !s->said->strain_limit)) {
+    if (!strains) {
         return OK;
     }
-    TRY(TAKE(which, (size_t)ntarget));
-    TRY(TAKE(strain, (size_t)ntarget * (size_t)nmaterial));
-    for (int i = 0; i < ntarget; i++) {
-        if (r->answer[i].verdict != REACH_FAILED) {
-            which[n++] = i;
+    TRY(TAKE(strain, (size_t)s->rod.c.nmaterial));
+    for (int i = 0; i < how->scene->ntarget; i++) {
+        reach_answer *a = &r->answer[i];
+        if (a->verdict != REACH_FAILED) {
+            TRY(reach_strain_at(strains, a->q, strain));
+            keep_strain(s, strain, a);
         }
-    }
-    TRY(n > 0 ? find_strains(s, n, r, which, strain) : OK);
-    for (int i = 0; i < n; i++) {
-        keep_strain(s, &strain[i * nmaterial], &r->answer[which[i]]);
     }
 
 done:
     free(strain);
-    free(which);
     return st;
+}
+
+// --- all tendons
+
+static void all_joints(const scope *s, int njoint, double *q)
+{
+    double tension[SCOPE_TENDONS];
+    scope_tensions(s, q, tension);
+    memcpy(q + SCOPE_BEND, tension, (size_t)(njoint - SCOPE_BEND) * sizeof *q);
+}
+
+void reach_tell_tendons(const reach_scope *s, int ntarget, reach_scope_result *r)
+{
+    const scope *sc = &s->scope;
+    r->njoint = sc->njoint;
+    for (int i = 0; i < SCOPE_TENDONS; i++) {
+        r->njoint += sc->held[i];
+    }
+    if (r->njoint == sc->njoint) {
+        return;
+    }
+    all_joints(sc, r->njoint, r->low);
+    all_joints(sc, r->njoint, r->high);
+    for (int i = 0; i < ntarget; i++) {
+        reach_answer *a = &r->answer[i];
+        all_joints(sc, r->njoint, a->q);
+        for (int k = 0; k < a->npath; k++) {
+            all_joints(sc, r->njoint, a->path[k]);
+        }
+        a->joint = a->joint >= SCOPE_BEND ? SCOPE_BEND + scope_tendon(sc, a->joint) : a->joint;
+    }
 }
 
 // --- the body

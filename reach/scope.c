@@ -21,6 +21,43 @@ static int nbend(const scope *s)
     return s->njoint - SCOPE_BEND;
 }
 
+// --- tendons that are no joints
+
+int scope_tendon(const scope *s, int joint)
+{
+    int tendon = 0;
+    for (int free = joint - SCOPE_BEND; tendon < SCOPE_TENDONS - 1; tendon++) {
+        if (!s->held[tendon] && free-- == 0) {
+            break;
+        }
+    }
+    return tendon;
+}
+
+void scope_tensions(const scope *s, const double *q, double tension[SCOPE_TENDONS])
+{
+    memcpy(tension, s->held_at, sizeof s->held_at);
+    for (int j = SCOPE_BEND; j < s->njoint; j++) {
+        tension[scope_tendon(s, j)] = q[j];
+    }
+}
+
+void scope_hold(scope *s)
+{
+    int n = 0;
+    for (int i = 0; i < nbend(s); i++) {
+        const double low = s->low[SCOPE_BEND + i], high = s->high[SCOPE_BEND + i];
+        s->held[i] = low == high && (n > 0 || i + 1 < nbend(s));
+        if (s->held[i]) {
+            s->held_at[i] = low;
+        } else {
+            s->low[SCOPE_BEND + n] = low;
+            s->high[SCOPE_BEND + n++] = high;
+        }
+    }
+    s->njoint = SCOPE_BEND + n;
+}
+
 // --- what is a scope
 
 // More than a full circle crosses itself.
@@ -36,7 +73,7 @@ const char *scope_joint_name(const scope *s, int joint, char words[SCOPE_NAME])
     if (!s->rod) {
         return "bend";
     }
-    (void)snprintf(words, SCOPE_NAME, "tension %d", joint - SCOPE_BEND + 1);
+    (void)snprintf(words, SCOPE_NAME, "tension %d", scope_tendon(s, joint) + 1);
     return words;
 }
 
@@ -156,7 +193,9 @@ status scope_bend(scope_state *state, const double *q)
     state->stretch = 1;
     if (state->rod) {
         rod_solution out = {0};
-        TRY(rod_solve(state->rod, &(rod_request){.tension = bend, .cold = true}, &out));
+        double tension[SCOPE_TENDONS];
+        scope_tensions(state->scope, q, tension);
+        TRY(rod_solve(state->rod, &(rod_request){.tension = tension, .cold = true}, &out));
         // at rest v = (0, 0, 1)
         const double *e = out.max_strain.a;
         state->stretch = sqrt(e[0] * e[0] + e[1] * e[1] + (1 + e[2]) * (1 + e[2]));
@@ -193,7 +232,8 @@ status scope_bent_point(scope_state *state, double s, vec3 *point, vec3 *derivat
     if (derivative) {
         TRY(rod_derive(state->rod, s, &(rod_derivatives){.tension = twist}));
         for (int i = 0; i < nbend(state->scope); i++) {
-            derivative[i] = mat3_mul_vec(g.R, vec6_linear(twist[i]));
+            const int tendon = scope_tendon(state->scope, SCOPE_BEND + i);
+            derivative[i] = mat3_mul_vec(g.R, vec6_linear(twist[tendon]));
         }
     }
 

@@ -26,12 +26,26 @@ enum {
 
 typedef struct scope {
     char name[SCOPE_NAME];
-    const rod *rod;                               // kept by reference; NULL: constant curvature
-    double length;                                // of the tip [m]
-    double radius;                                // of shaft and tip [m]
-    int njoint;                                   // 3 for constant curvature, 2 + tendons for a rod
+    const rod *rod; // kept by reference; NULL: constant curvature
+    double length;  // of the tip [m]
+    double radius;  // of shaft and tip [m]
+    int njoint;     // 3 for constant curvature, 2 + tendons not held for a rod
     double low[SCOPE_JOINTS], high[SCOPE_JOINTS]; // joint limits
+    // tendons whose tension nothing changes are no joints: the bending joints are the others, in
+    // their order
+    bool held[SCOPE_TENDONS];
+    double held_at[SCOPE_TENDONS]; // [N]
 } scope;
+
+// Takes the tendons whose limits are one tension for held ones, but for one where all are: with one
+// bending joint left every pose is found. The scope's joints are all its tendons.
+void scope_hold(scope *s);
+
+// The tendon that bending joint `joint` pulls.
+int scope_tendon(const scope *s, int joint);
+
+// The tensions of all tendons.
+void scope_tensions(const scope *s, const double *q, double tension[SCOPE_TENDONS]);
 
 // ERR_INPUT with the joint: limits that are no range or not finite, tensions under 0, a bend of
 // more than a full circle, no length, a radius under 0, a rod of another number of tendons or with

@@ -6,7 +6,7 @@ search_options search_options_default(void)
     return (search_options){
         .tolerance = 1e-3,  // the paper's
         .resolution = 5e-5, // well under what a printed scope's radius is good for
-        .most_looks = 1500,
+        .most_looks = 30000,
     };
 }
 

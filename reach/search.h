@@ -30,7 +30,7 @@ double room_roughly(const room_probe *room, scope_state *state, const double *q,
 typedef struct search_options {
     double tolerance;  // of the tip [m]
     double resolution; // boxes in which the body moves by less are not divided [m]
-    int most_looks;    // at the room, per target
+    int most_looks;    // at the room, per target; most are spent on those that stay undecided
 } search_options;
 
 search_options search_options_default(void);
@@ -49,7 +49,8 @@ typedef struct search_answer {
     double room, s;    // of that pose [m]; of one that is too far NAN
     // No pose whose tip is near has more room than this [m]. Under 0: the target is proved not to
     // be reached; else no pose was found that does, and none has more room than a few times the
-    // resolution, unless the looks ran out. INFINITY: not known, the search was from starts.
+    // resolution, unless the looks ran out: not decided. INFINITY: not known, the search was from
+    // starts.
     double bound;
     int joint; // of the verdict SEARCH_JOINT_LIMIT, else -1
     int looks, starts;

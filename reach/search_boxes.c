@@ -11,6 +11,11 @@ static const double pi = 3.14159265358979323846;
 
 // Once the target is reached, so many looks more are spent on a pose with more room.
 static const int looks_after = 30;
+// Bounds alone rarely find a pose that just has room: after so many looks without one, poses are
+// led to more room, which takes up to a few hundred looks each; again at this many times as many.
+static const int looks_before_leading = 1500, looks_growth = 4;
+// Boxes of most promise that poses are led from.
+enum { LED = 6 };
 // Of a box's motion, so finely its room is looked at.
 static const double look_share = 0.125;
 
@@ -149,6 +154,39 @@ done:
     return st;
 }
 
+// --- poses led to more room
+
+// from the pose of a box that is nearest to the target
+static status lead_box(search *s, const joint_box *b)
+{
+    status st = OK;
+    inverse_pose pose = {{0}, 0};
+    for (int j = 0; j < BOX_JOINTS; j++) {
+        pose.q[j] = (b->low[j] + b->high[j]) / 2;
+    }
+    TRY(inverse_miss(s->state, s->target, &pose));
+    if (pose.miss > s->options->tolerance) {
+        TRY(inverse_fit(s->state, s->target, &pose));
+    }
+    TRY(pose.miss <= s->options->tolerance ? search_lead(s, pose) : OK);
+
+done:
+    return st;
+}
+
+// from the best pose so far and from the first boxes, until the target is reached
+static status lead_some(search *s, const box_heap *h)
+{
+    status st = OK;
+    TRY(isfinite(s->out->room) ? search_lead(s, s->out->pose) : OK);
+    for (int i = 0; i < h->n && i < LED && s->out->room < 0; i++) {
+        TRY(lead_box(s, &h->box[i]));
+    }
+
+done:
+    return st;
+}
+
 // --- the search
 
 static status divide(search *s, cylinder_point c, box_heap *h, const joint_box *b)
@@ -180,14 +218,21 @@ status search_boxes(search *s)
     const cylinder_point c = cylinder_of(s->state, s->target);
     // every look pushes one box at most
     box_heap h = {.most = 2 * s->options->most_looks + MOST_PIECES};
-    int reached_at = s->out->room >= 0 ? s->out->looks : -1;
+    int reached_at = s->out->room >= 0 ? s->out->looks : -1, lead_at = looks_before_leading;
     TRY(TAKE(h.box, (size_t)h.most + 2));
     TRY(pieces(s, c, &h));
     while (h.n > 0 && h.n < h.most &&
            !decided(s, &h.box[0], reached_at < 0 ? 0 : s->out->looks - reached_at)) {
         const joint_box b = box_pop(&h);
         TRY(divide(s, c, &h, &b));
+        if (s->out->room < 0 && s->out->looks >= lead_at) {
+            lead_at = looks_growth * s->out->looks;
+            TRY(lead_some(s, &h));
+        }
         reached_at = reached_at < 0 && s->out->room >= 0 ? s->out->looks : reached_at;
+    }
+    if (s->out->room < 0 && h.n > 0 && h.box[0].bound >= 0) {
+        TRY(lead_some(s, &h)); // boxes as small as the resolution
     }
     s->out->bound = fmax(s->out->room, h.n > 0 ? h.box[0].bound : -INFINITY);
 

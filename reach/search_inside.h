@@ -18,6 +18,9 @@ typedef struct search {
 // room is that of room->at. wish->first becomes the place where it was least.
 status search_look(search *s, const inverse_pose *pose, clearance_wish *wish, double *room);
 
+// Steps from a pose to more room until there is none, or enough of it.
+status search_lead(search *s, inverse_pose pose);
+
 // search_boxes.c, search_starts.c
 status search_boxes(search *s);
 status search_starts(search *s);

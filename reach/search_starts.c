@@ -62,8 +62,7 @@ done:
     return st;
 }
 
-// steps to more room until there is none, or enough of it
-static status lead(search *s, inverse_pose pose)
+status search_lead(search *s, inverse_pose pose)
 {
     status st = OK;
     double direction[2 * SCOPE_JOINTS][SCOPE_JOINTS], room, step = first_step;
@@ -99,7 +98,7 @@ status search_starts(search *s)
         TRY(search_look(s, &family.pose[i], &any, &room));
     }
     for (int i = 0; i < family.npose && s->out->room < 0; i++) {
-        TRY(lead(s, family.pose[i]));
+        TRY(search_lead(s, family.pose[i]));
     }
 
 done:

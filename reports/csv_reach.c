@@ -62,7 +62,7 @@ static void write_answer(csv *c, const reach_result *r, const reach_scope_result
     csv_text(c, reach_verdict_words(a->verdict));
     csv_text(c, a->why);
     csv_text(c, reach_search_words(r, s, a, words, sizeof words));
-    csv_text(c, a->verdict == REACH_REACHED ? "" : reach_is_proved(r, a) ? "true" : "false");
+    csv_text(c, a->verdict == REACH_REACHED ? "" : reach_is_proved(r, s, a) ? "true" : "false");
     write_joints(c, s, most_tendons(r), pose ? a->q : NULL);
     csv_real(c, pose ? a->miss : NAN);
     csv_real(c, a->clearance);

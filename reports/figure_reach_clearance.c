@@ -2,6 +2,7 @@
 // How much room is left along every body: a strip per target, a block per scope.
 #include "reports/figure_reach.h"
 #include "reports/figures.h"
+#include "reports/reach_show.h"
 #include "reports/rod_show.h"
 
 #include <math.h>
@@ -88,7 +89,8 @@ static void row_words(const block *b, int row)
         say(b->c, b->at.x + b->at.w + 8, y, look, "%s at %s",
             number_fixed(1e3 * a->clearance, 2).text, number_fixed(1e3 * a->s, 1).text);
     } else {
-        say(b->c, b->at.x + b->at.w + 8, y, look, "%s", reach_verdict_words(a->verdict));
+        say(b->c, b->at.x + b->at.w + 8, y, look, "%s",
+            reach_told_words(&b->w->r->reach, b->scope, a));
     }
 }
 

@@ -57,7 +57,7 @@ static void write_answer(json *j, const reach_result *r, const reach_scope_resul
     json_text(j, "verdict", verdict_names[a->verdict]);
     json_text(j, "why", a->why);
     json_text(j, "thoroughness", reach_search_words(r, s, a, words, sizeof words));
-    json_flag(j, "proved", reach_is_proved(r, a));
+    json_flag(j, "proved", reach_is_proved(r, s, a));
     if (pose) {
         json_object(j, "pose");
         write_pose(j, s, a);

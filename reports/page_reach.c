@@ -78,9 +78,10 @@ static status scope_row(bytes *page, const reach_result *r, const reach_scope_re
     TRY(page_escaped(page, s->kind));
     PAGE("</small></td>");
     if (r->ntarget > 0) {
-        PAGE("<td%s>%d of %d</td>", best ? " class=\"good\"" : "", s->nreached, r->ntarget);
+        PAGE("<td%s>%d of %d</td><td>%d</td>", best ? " class=\"good\"" : "", s->nreached,
+             r->ntarget, reach_open_count(r, s));
     } else {
-        PAGE("<td></td>");
+        PAGE("<td></td><td></td>");
     }
     if (s->state) {
         PAGE("<td>%s ± %s</td><td>%s</td>", number_fixed(100 * s->area_reached, 1).text,
@@ -102,7 +103,7 @@ static status paper_row(bytes *page, const char *name, int reached)
     return bytes_format(page,
                         "<tr class=\"skip\"><td class=\"text\">%s<small>as printed in the "
                         "paper</small></td><td>%d of "
-                        "%d</td><td></td><td></td><td></td><td></td><td></td><td "
+                        "%d</td><td></td><td></td><td></td><td></td><td></td><td></td><td "
                         "class=\"text\">a patient's, not published</td></tr>\n",
                         name, reached, PAPER_REACH_TARGETS);
 }
@@ -112,7 +113,8 @@ static status scope_table(bytes *page, const reach_result *r)
     status st = OK;
     const int best = reach_best_scope(r);
     PAGE("<div class=\"scroll\"><table>\n<caption>The scopes beside each other</caption>\n"
-         "<thead><tr><th class=\"text\">scope</th><th>targets reached</th><th>area "
+         "<thead><tr><th class=\"text\">scope</th><th>targets reached</th><th>collision<small>not "
+         "proved</small></th><th>area "
          "reached<small>%% of the wall</small></th><th>not known<small>%%</small></th>"
          "<th>tip<small>length, mm</small></th><th>radius<small>mm</small></th><th>CPU "
          "time<small>s</small></th><th class=\"text\">anatomy</th></tr></thead>\n<tbody>\n");
@@ -221,13 +223,13 @@ static status answer_cell(bytes *page, const reach_result *r, const reach_scope_
     status st = OK;
     const bool reached = a->verdict == REACH_REACHED;
     PAGE("<td class=\"text\"><span class=\"%s\">%s %s</span>", reached ? "good" : "bad",
-         reached ? "✓" : "✗", reach_verdict_words(a->verdict));
+         reached ? "✓" : "✗", reach_told_words(r, s, a));
     if (reached) {
         TRY(reached_words(page, s, a));
     } else {
         PAGE("<small>");
         TRY(page_escaped(page, a->why));
-        PAGE("</small>%s", reach_is_proved(r, a) ? "<small>proved</small>" : "");
+        PAGE("</small>%s", reach_is_proved(r, s, a) ? "<small>proved</small>" : "");
     }
     PAGE("</td>");
 

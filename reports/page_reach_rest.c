@@ -26,9 +26,9 @@ static tally tally_of(const reach_result *r, const reach_scope_result *s)
             continue;
         }
         t.missed++;
-        if (reach_is_proved(r, a)) {
+        if (reach_is_proved(r, s, a)) {
             t.proved++;
-        } else if (far && s->njoint == SCOPE_BEND + 1) {
+        } else if (far && reach_one_bend(s)) {
             t.whole++;
         } else {
             t.searched++;
@@ -68,15 +68,17 @@ status page_reach_thoroughness(bytes *page, const reach_result *r)
     }
     PAGE("<h3>How thorough “not reached” is</h3>\n<div class=\"scroll\"><table>\n<thead><tr><th "
          "class=\"text\">scope</th><th>not reached<small>targets</small></th><th>proved<small>by "
-         "a bound</small></th><th>tip not near<small>every bend looked at</small></th><th>searched "
+         "a bound or in closed form</small></th><th>tip not near<small>every bend looked "
+         "at</small></th><th>searched "
          "only</th><th>looks, starts<small>at most, per target</small></th><th>tips "
          "apart<small>mm</small></th></tr></thead>\n<tbody>\n");
     for (int i = 0; i < r->nscope; i++) {
         TRY(thorough_row(page, r, &r->scope[i]));
     }
     PAGE("</tbody></table></div>\n<p class=\"note\">Proved: the joints are cut into boxes, and in "
-         "none whose tips come near can the body have the clearance asked for. Every bend looked "
-         "at: the tip's curve is followed by cubics through poses as far apart as told. Searched "
+         "none whose tips come near can the body have the clearance asked for; or the scope is an "
+         "arc, whose tip is known in closed form at every bend. Every bend looked at: the tip's "
+         "curve is followed by cubics through poses as far apart as told. Searched "
          "only: no pose was found from the starts told, or none has more clearance than the bound "
          "left, in steps down to %s mm; that is no proof.%s</p>\n",
          number_short(1e3 * r->resolution, 3).text,

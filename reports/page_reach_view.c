@@ -6,6 +6,7 @@
 #include "reports/figure_reach.h"
 #include "reports/near_points.h"
 #include "reports/page_kit.h"
+#include "reports/reach_show.h"
 #include "reports/rod_show.h"
 #include "reports/scene.h"
 
@@ -147,7 +148,7 @@ static status put_words(reach_scene *w, int scope, int shown, const reach_answer
                        number_fixed(1e3 * a->path_clearance, 3).text);
     }
     (void)snprintf(words, sizeof words, "Target %s: %s%s%s; the tip is %s mm from it%s%s.",
-                   w->target_name[shown], reach_verdict_words(a->verdict), room, way,
+                   w->target_name[shown], reach_told_words(w->r, &w->r->scope[scope], a), room, way,
                    isfinite(a->miss) ? number_fixed(1e3 * a->miss, 3).text : "–",
                    a->why[0] ? ". " : "", a->why);
     return scene_words(w->s, place_of(LAYER_BODIES, scope, shown), words);

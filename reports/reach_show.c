@@ -21,15 +21,60 @@ const char *reach_joint_unit(const reach_scope_result *s, int joint)
     return joint == SCOPE_INSERTION ? "m" : joint == SCOPE_TURN || s->arc ? "rad" : "N";
 }
 
-bool reach_is_proved(const reach_result *r, const reach_answer *a)
+bool reach_one_bend(const reach_scope_result *s)
 {
-    return a->verdict == REACH_COLLISION && a->bound < r->clearance;
+    int n = 0;
+    for (int i = SCOPE_BEND; i < s->njoint; i++) {
+        n += s->low[i] < s->high[i];
+    }
+    return n <= 1;
 }
 
-static void not_near_words(const reach_scope_result *s, const reach_answer *a, char *words,
-                           size_t room)
+// Half the spacing from any bend one was looked at, and the one told of is nearer than its
+// neighbours but for a spacing.
+static const double of_spacing = 1.5;
+
+static bool no_arc_comes_near(const reach_result *r, const reach_scope_result *s,
+                              const reach_answer *a)
 {
-    if (s->njoint == SCOPE_BEND + 1) {
+    const bool far =
+        a->verdict == REACH_OUT_OF_REACH || (a->verdict == REACH_JOINT_LIMIT && a->joint >= 0);
+    return far && s->arc && a->miss - of_spacing * s->spacing > r->tolerance;
+}
+
+bool reach_is_proved(const reach_result *r, const reach_scope_result *s, const reach_answer *a)
+{
+    return (a->verdict == REACH_COLLISION && a->bound < r->clearance) || no_arc_comes_near(r, s, a);
+}
+
+bool reach_is_open(const reach_result *r, const reach_scope_result *s, const reach_answer *a)
+{
+    return a->verdict == REACH_COLLISION && !reach_is_proved(r, s, a);
+}
+
+int reach_open_count(const reach_result *r, const reach_scope_result *s)
+{
+    int n = 0;
+    for (int i = 0; i < r->ntarget; i++) {
+        n += reach_is_open(r, s, &s->answer[i]);
+    }
+    return n;
+}
+
+const char *reach_told_words(const reach_result *r, const reach_scope_result *s,
+                             const reach_answer *a)
+{
+    return reach_is_open(r, s, a) ? "collision, not proved" : reach_verdict_words(a->verdict);
+}
+
+static void not_near_words(const reach_result *r, const reach_scope_result *s,
+                           const reach_answer *a, char *words, size_t room)
+{
+    if (s->arc) {
+        (void)snprintf(words, room,
+                       "%severy bend was looked at, in closed form, tips %.3g mm apart",
+                       reach_is_proved(r, s, a) ? "proved: " : "", 1e3 * s->spacing);
+    } else if (reach_one_bend(s)) {
         (void)snprintf(words, room,
                        "every bend was looked at, by cubics through tips %.3g mm apart",
                        1e3 * s->spacing);
@@ -42,7 +87,7 @@ static void not_near_words(const reach_scope_result *s, const reach_answer *a, c
 static void no_room_words(const reach_result *r, const reach_scope_result *s, const reach_answer *a,
                           char *words, size_t room)
 {
-    if (reach_is_proved(r, a)) {
+    if (reach_is_proved(r, s, a)) {
         (void)snprintf(words, room,
                        "proved: no pose near has more clearance than %.3g mm (%d looks)",
                        1e3 * a->bound, a->looks);
@@ -67,7 +112,7 @@ const char *reach_search_words(const reach_result *r, const reach_scope_result *
     switch (a->verdict) {
     case REACH_OUT_OF_REACH:
     case REACH_JOINT_LIMIT:
-        not_near_words(s, a, words, room);
+        not_near_words(r, s, a, words, room);
         break;
     case REACH_COLLISION:
         no_room_words(r, s, a, words, room);

@@ -10,8 +10,20 @@ enum { REACH_WORDS = 256 };
 const char *reach_joint_words(const reach_scope_result *s, int joint, char *words, size_t room);
 const char *reach_joint_unit(const reach_scope_result *s, int joint); // "m", "rad" or "N"
 
-// Not reached, and no pose that is near has the clearance asked for: its bound says so.
-bool reach_is_proved(const reach_result *r, const reach_answer *a);
+// Not reached, and proved: no pose that is near has the clearance asked for, as its bound says; or
+// no arc comes near, by more than what lies between the bends that were looked at.
+bool reach_is_proved(const reach_result *r, const reach_scope_result *s, const reach_answer *a);
+
+// The body was in the way wherever it was looked at, but no bound says that it always is.
+bool reach_is_open(const reach_result *r, const reach_scope_result *s, const reach_answer *a);
+int reach_open_count(const reach_result *r, const reach_scope_result *s);
+
+// The verdict, "collision, not proved" where it is open.
+const char *reach_told_words(const reach_result *r, const reach_scope_result *s,
+                             const reach_answer *a);
+
+// One bending joint at most can move.
+bool reach_one_bend(const reach_scope_result *s);
 
 // How thorough the search was that found no pose, "" where one was found.
 const char *reach_search_words(const reach_result *r, const reach_scope_result *s,

@@ -6,61 +6,48 @@
 #include "section/reuse.h"
 
 #include <math.h>
+#include <string.h>
 
-typedef struct walk {
-    section_store store;
-    const law_along *law;
-    const section_wrenches_along *wrenches;
-    section_place *place;     // [nsample]
-    bool *done;               // [nsample]
-    section_extreme *largest; // [nmaterial] work
-    bool *replaced;
-    section_strain_place *out;
-} walk;
+struct strains_along {
+    int nsample, nmaterial, nsolve;
+    section_place *place;                         // [nsample]
+    section_fields fields[SECTION_STRAIN_SOLVES]; // [nsolve]
+    int first[SECTION_STRAIN_SOLVES];             // the sample whose section was solved
+    int *served;                                  // [nsample] by this solve, -1: by none
+    section_likeness *likeness;                   // [nsample]
+};
 
-static void walk_free(walk *w)
+void strains_along_free(strains_along *k)
 {
-    for (int i = 0; w->place && i < w->wrenches->nsample; i++) {
-        section_place_free(&w->place[i]);
+    if (!k) {
+        return;
     }
-    free(w->place);
-    free(w->done);
-    free(w->largest);
-    free(w->replaced);
-    section_store_free(&w->store);
-}
-
-static status walk_make(const section_case *c, const material *materials, const law_along *law,
-                        const section_wrenches_along *wrenches, walk *w)
-{
-    status st = OK;
-    *w = (walk){.law = law, .wrenches = wrenches};
-    TRY(section_store_make(c, materials, law->length, &w->store));
-    TRY(TAKE(w->place, (size_t)wrenches->nsample));
-    TRY(TAKE(w->done, (size_t)wrenches->nsample));
-    TRY(TAKE(w->largest, (size_t)c->nmaterial));
-    TRY(TAKE(w->replaced, (size_t)c->nmaterial));
-    for (int i = 0; i < wrenches->nsample; i++) {
-        TRY(section_store_place(&w->store, wrenches->s[i], &w->place[i]));
+    for (int i = 0; k->place && i < k->nsample; i++) {
+        section_place_free(&k->place[i]);
     }
-
-done:
-    return st;
+    for (int i = 0; i < k->nsolve; i++) {
+        section_fields_free(&k->fields[i]);
+    }
+    free(k->place);
+    free(k->served);
+    free(k->likeness);
+    free(k);
 }
 
 // the fields of the section at a place
-static status solve(walk *w, const section_place *p, section_fields *out)
+static status solve(section_store *store, const law_along *law, const section_place *p,
+                    section_fields *out)
 {
     status st = OK;
-    const section_case *c = w->store.request;
-    const material *materials = section_store_materials(&w->store, p->s);
+    const section_case *c = store->request;
+    const material *materials = section_store_materials(store, p->s);
     mesh m = {0};
     beam_law unused = {0};
     section_warping warping = {0};
     TRY(section_place_mesh(c, p, &c->mesh, &m));
     if (c->model == MODEL_CLASSICAL) {
         mat6 K;
-        law_along_at(w->law, p->s, &K, NULL);
+        law_along_at(law, p->s, &K, NULL);
         TRY(section_fields_classical(&m, materials, &K, out));
     } else {
         TRY(section_turning_mesh(&m, materials, p->turn_rate, &unused, &warping));
@@ -99,50 +86,109 @@ static vec3 carried_point(const section_place *a, const section_place *b, const 
     return mat3_mul_vec(mat3_rot_z(b->turn), vec3_scale(k->scale, x));
 }
 
-static void strain_sample(walk *w, const section_fields *f, const section_place *known,
-                          const section_likeness *k, int sample)
+// one solve, and every sample that it serves
+static status serve(section_store *store, const law_along *law, strains_along *k, int first)
 {
-    const section_place *here = &w->place[sample];
-    const int nmaterial = w->store.request->nmaterial;
-    for (int set = 0; set < w->wrenches->nset; set++) {
-        section_strain_place *out = w->out + (size_t)set * (size_t)nmaterial;
-        const vec6 *wrench =
-            &w->wrenches->wrench[(size_t)set * (size_t)w->wrenches->nsample + (size_t)sample];
-        const vec6 back = carried_back(known, here, k, wrench);
-        for (int m = 0; m < nmaterial; m++) {
-            w->largest[m].value = out[m].value;
-            w->replaced[m] = false;
+    status st = OK;
+    const int solve_of = k->nsolve;
+    TRY(solve(store, law, &k->place[first], &k->fields[solve_of]));
+    k->first[k->nsolve++] = first;
+    for (int i = 0; i < k->nsample; i++) {
+        bool alike = false;
+        if (k->served[i] < 0) {
+            TRY(section_store_alike(store, &k->place[first], &k->place[i], &k->likeness[i],
+                                    &alike));
         }
-        section_largest_strain(f, &back, w->largest, w->replaced);
-        for (int m = 0; m < nmaterial; m++) {
-            if (w->replaced[m]) {
-                const vec3 x = carried_point(known, here, k, w->largest[m].at);
-                out[m] = (section_strain_place){w->largest[m].value, here->s, {x.a[0], x.a[1]}};
-            }
+        k->served[i] = alike ? solve_of : k->served[i];
+    }
+
+done:
+    return st;
+}
+
+static status take_room(int nsample, int nmaterial, strains_along **out)
+{
+    status st = OK;
+    strains_along *k = NULL;
+    TRY(TAKE(k, 1));
+    k->nsample = nsample;
+    k->nmaterial = nmaterial;
+    *out = k;
+    TRY(TAKE(k->place, (size_t)nsample));
+    TRY(TAKE(k->served, (size_t)nsample));
+    TRY(TAKE(k->likeness, (size_t)nsample));
+
+done:
+    return st;
+}
+
+status strains_along_make(const section_case *c, const material *materials, const law_along *law,
+                          int nsample, const double *s, strains_along **out)
+{
+    status st = OK;
+    const int most = SECTION_STRAIN_SOLVES - 1;
+    section_store store = {0};
+    strains_along *k = NULL;
+    TRY(take_room(nsample, c->nmaterial, &k));
+    TRY(section_store_make(c, materials, law->length, &store));
+    for (int i = 0; i < nsample; i++) {
+        k->served[i] = -1;
+        TRY(section_store_place(&store, s[i], &k->place[i]));
+    }
+    for (int i = 0; i <= most; i++) {
+        const int sample = (int)((long)(nsample - 1) * i / most);
+        TRY(k->served[sample] >= 0 ? OK : serve(&store, law, k, sample));
+    }
+    *out = k;
+    k = NULL;
+
+done:
+    strains_along_free(k);
+    section_store_free(&store);
+    return st;
+}
+
+// --- for a wrench
+
+// what the solve says of one of its samples
+static void strain_sample(const strains_along *k, int sample, const vec6 *wrench,
+                          section_extreme *largest, bool *replaced, section_strain_place *out)
+{
+    const section_place *here = &k->place[sample], *known = &k->place[k->first[k->served[sample]]];
+    const section_likeness *like = &k->likeness[sample];
+    const vec6 back = carried_back(known, here, like, wrench);
+    for (int m = 0; m < k->nmaterial; m++) {
+        largest[m].value = out[m].value;
+        replaced[m] = false;
+    }
+    section_largest_strain(&k->fields[k->served[sample]], &back, largest, replaced);
+    for (int m = 0; m < k->nmaterial; m++) {
+        if (replaced[m]) {
+            const vec3 x = carried_point(known, here, like, largest[m].at);
+            out[m] = (section_strain_place){largest[m].value, here->s, {x.a[0], x.a[1]}};
         }
     }
 }
 
-// one solve, and every sample that it serves
-static status serve(walk *w, int first)
+status strains_along_at(const strains_along *k, const vec6 *wrench, section_strain_place *out)
 {
     status st = OK;
-    section_fields f = {0};
-    TRY(solve(w, &w->place[first], &f));
-    for (int i = 0; i < w->wrenches->nsample; i++) {
-        section_likeness k = {0};
-        bool alike = false;
-        if (!w->done[i]) {
-            TRY(section_store_alike(&w->store, &w->place[first], &w->place[i], &k, &alike));
-        }
-        if (alike) {
-            strain_sample(w, &f, &w->place[first], &k, i);
-            w->done[i] = true;
+    section_extreme *largest = NULL;
+    bool *replaced = NULL;
+    TRY(TAKE(largest, (size_t)k->nmaterial));
+    TRY(TAKE(replaced, (size_t)k->nmaterial));
+    memset(out, 0, (size_t)k->nmaterial * sizeof *out);
+    for (int solved = 0; solved < k->nsolve; solved++) {
+        for (int i = 0; i < k->nsample; i++) {
+            if (k->served[i] == solved) {
+                strain_sample(k, i, &wrench[i], largest, replaced, out);
+            }
         }
     }
 
 done:
-    section_fields_free(&f);
+    free(largest);
+    free(replaced);
     return st;
 }
 
@@ -150,16 +196,14 @@ status section_strain_along(const section_case *c, const material *materials, co
                             const section_wrenches_along *wrenches, section_strain_place *out)
 {
     status st = OK;
-    walk w = {0};
-    const int last = wrenches->nsample - 1, most = SECTION_STRAIN_SOLVES - 1;
-    TRY(walk_make(c, materials, law, wrenches, &w));
-    w.out = out;
-    for (int i = 0; i <= most; i++) {
-        const int sample = (int)((long)last * i / most);
-        TRY(w.done[sample] ? OK : serve(&w, sample));
+    strains_along *k = NULL;
+    TRY(strains_along_make(c, materials, law, wrenches->nsample, wrenches->s, &k));
+    for (int set = 0; set < wrenches->nset; set++) {
+        TRY(strains_along_at(k, wrenches->wrench + (size_t)set * (size_t)wrenches->nsample,
+                             out + (size_t)set * (size_t)c->nmaterial));
     }
 
 done:
-    walk_free(&w);
+    strains_along_free(k);
     return st;
 }

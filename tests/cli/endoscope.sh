@@ -192,4 +192,26 @@ if long; then
     [ "$(sed -n 's/^at first *\([0-9]*\) of.*/\1/p' "$work/one.told")" = "$(sed -n 's/^helical  *\([0-9]*\) of.*/\1/p' "$work/start.told")" ] ||
         fail 'the search begins with another design'
 fi
+
+# --- a target with one narrow way to be reached, which bounds alone do not find: the pose is there with the joints held about it
+
+expect 0 python3 "$here/ventricle.py" --triangles 2500 --out "$work/narrow"
+printf 'x_mm,y_mm,z_mm\n17.803571,13.867652,8.266612\n' >"$work/narrow/targets.csv"
+cat >"$work/narrow/narrow.yaml" <<'END'
+format: 1
+reach:
+  tissue: ventricle.stl
+  tissue_unit: mm
+  targets: targets.csv
+  entry: {point_mm: [30, 75, 18], towards_mm: [0, -100, -10]}
+  tolerance_mm: 0.3
+  clearance_mm: 0.8
+  tip: skin
+  scopes:
+    - {name: held, radius_mm: 1.4, insertion_mm: [31.7770, 31.7771], turn_deg: [32.3, 32.4], constant_curvature: {length_mm: 31.337780426368475, bend_deg: [0, 0.03]}}
+    - {name: free, radius_mm: 1.4, insertion_mm: [-50, 126.11216035695041], turn_deg: [-180, 180], constant_curvature: {length_mm: 31.337780426368475, bend_deg: [0, 258.64563040278506]}}
+END
+expect 0 "$program" reach "$work/narrow/narrow.yaml" --quiet
+out 'held                                    1 of    1'
+out 'free                                    1 of    1'
 finish

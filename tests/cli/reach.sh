@@ -263,6 +263,46 @@ printf 'format: 1\n' >"$work/bad.yaml"
 expect 2 "$program" check "$work/bad.yaml"
 err "$work/bad.yaml:1:1: error: key 'materials' is missing in the case"
 
+# --- strains that are limited: two tendons reach what one of them does, and where the other is held they are one
+
+awk 'BEGIN { print "x_mm,y_mm,z_mm"; for (i = 1; i < 12; i += i < 7 ? 6 : i < 8 ? 1 : 3) printf "%.4f,%.4f,%.4f\n", (0.3 + i / 3) * cos(0.9 * i), (0.3 + i / 3) * sin(0.9 * i), 9 + 1.2 * i }' >"$work/strained.csv"
+cat >"$work/strained.yaml" <<'END'
+format: 1
+materials: {soft: {E_MPa: 1, nu: 0.45, linear_strain: 0.08}}
+section:
+  model: classical
+  shapes: [{annulus: {outer_radius_mm: 1.4, inner_radius_mm: 1}, material: soft}]
+rod: {length_mm: 12, tendons: [{name: p, radius_mm: 1.2, angle_rad: 0}, {name: n, radius_mm: 1.2, angle_rad: pi}]}
+reach:
+  tissue: ball.stl
+  tissue_unit: mm
+  targets: strained.csv
+  tolerance_mm: 0.5
+  entry: {point_mm: [0, 0, -30], direction: [0, 0, 1]}
+  scopes:
+    - {name: one, radius_mm: 1.4, insertion_mm: [0, 80], rod: {set: ["rod.tendons=[{name: p, radius_mm: 1.2, angle_rad: 0}]"]}, tensions_N: [[0, 0.4]], strain_limit: true}
+    - {name: held, radius_mm: 1.4, insertion_mm: [0, 80], rod: {}, tensions_N: [[0, 0.4], [0, 0]], strain_limit: true}
+    - {name: other, radius_mm: 1.4, insertion_mm: [0, 80], rod: {}, tensions_N: [[0, 0], [0, 0.4]], strain_limit: true}
+    - {name: two, radius_mm: 1.4, insertion_mm: [0, 80], rod: {}, tensions_N: [[0, 0.4], [0, 0.4]], strain_limit: true}
+END
+expect 0 "$program" reach "$work/strained.yaml" --json
+python3 - "$work/out" <<'END' || fail 'two tendons: not what one reaches'
+import json, sys
+s = {k["name"]: k["answers"] for k in json.load(open(sys.argv[1]))["scopes"]}
+told = {name: [a["verdict"] for a in answers] for name, answers in s.items()}
+if set(told["one"]) != {"reached", "joint_limit"}: sys.exit(f"one: {told['one']}")
+for name, pulled in ("held", 0), ("other", 1):
+    if told[name] != told["one"]: sys.exit(f"{name}: {told[name]}")
+    for a, b in zip(s["one"], s[name]):
+        tension = b["pose"]["tensions_N"]
+        if abs(tension[pulled] - a["pose"]["tensions_N"][0]) > 1e-6 or tension[1 - pulled] != 0: sys.exit(f"{name}: {tension}")
+        if abs(a["miss_m"] - b["miss_m"]) > 1e-8: sys.exit(f"{name}: misses by {b['miss_m']}")
+        if b["verdict"] == "joint_limit" and b["limit_joint"] != f"tension {pulled + 1}": sys.exit(f"{name}: {b['limit_joint']}")
+for a, b in zip(s["one"], s["two"]):
+    if a["verdict"] == "reached" != b["verdict"]: sys.exit(f"two: target {a['target']}: {b['why']}")
+    if b["verdict"] == "reached" and b["strain"] > 0.08: sys.exit(f"two: strained by {b['strain']}")
+END
+
 # --- what is wrong with its files: exit code 3, unless the case does not fit them
 
 # file CODE NAME WORDS: with this file in the place of the targets or the surface
@@ -288,6 +328,9 @@ printf 'x_mm,y_mm\n0,0\n' >"$work/flat.csv"
 file 3 flat.csv "no column 'z_mm'"
 printf 'x_mm,y_mm,z_mm\n0,,15\n' >"$work/gap.csv"
 file 3 gap.csv ':2: a target without its y'
+: >"$work/empty.csv"
+file 3 empty.csv 'it is empty'
+err "$work/bad.yaml:"
 printf 'x_mm,y_mm,z_mm,name\n0,0,15,a\n0,0,16,a\n' >"$work/twice.csv"
 file 3 twice.csv "two targets are called 'a'"
 printf 'x_mm,y_mm,z_mm\n0,0,15\n0,0,60\n0,0,40\n' >"$work/outside.csv"

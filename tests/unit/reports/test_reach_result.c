@@ -310,23 +310,56 @@ static void not_reached_says_how_thorough(void)
     const reach_scope_result one = {.njoint = 3, .spacing = 2e-4}, two = {.njoint = 4};
     reach_answer a = {.verdict = REACH_COLLISION, .bound = -3e-4, .looks = 9};
     char words[REACH_WORDS];
-    CHECK(reach_is_proved(&r, &a));
+    CHECK(reach_is_proved(&r, &one, &a));
     r.clearance = -4e-4; // so much in the wall is asked for
-    CHECK(!reach_is_proved(&r, &a));
+    CHECK(!reach_is_proved(&r, &one, &a));
     r.clearance = 0;
     CHECK(strstr(reach_search_words(&r, &one, &a, words, sizeof words), "proved: ") == words);
     CHECK(strstr(words, "-0.3 mm") != NULL);
     a.bound = 1e-4;
-    CHECK(!reach_is_proved(&r, &a));
+    CHECK(!reach_is_proved(&r, &one, &a));
     CHECK(strstr(reach_search_words(&r, &one, &a, words, sizeof words), "9 looks") != NULL);
     a.bound = INFINITY;
     CHECK(strstr(reach_search_words(&r, &two, &a, words, sizeof words), "not proved") != NULL);
     a.verdict = REACH_OUT_OF_REACH;
     CHECK(strstr(reach_search_words(&r, &one, &a, words, sizeof words), "0.2 mm apart") != NULL);
+    CHECK(strstr(words, "by cubics") != NULL && !reach_is_proved(&r, &one, &a));
     a.verdict = REACH_NO_WAY;
     CHECK(strstr(reach_search_words(&r, &one, &a, words, sizeof words), "not proved") != NULL);
     a.verdict = REACH_REACHED;
     CHECK(reach_search_words(&r, &one, &a, words, sizeof words)[0] == '\0');
+    // an arc's tip is known: proved where no bend between those looked at can be near
+    const reach_scope_result arc = {.njoint = 3, .spacing = 2e-4, .arc = true};
+    a.verdict = REACH_OUT_OF_REACH;
+    r.tolerance = 1e-3;
+    a.miss = 1.4e-3;
+    CHECK(reach_is_proved(&r, &arc, &a));
+    CHECK(strstr(reach_search_words(&r, &arc, &a, words, sizeof words), "proved: ") == words);
+    CHECK(strstr(words, "cubics") == NULL && strstr(words, "closed form") != NULL);
+    a.miss = 1.2e-3;
+    CHECK(!reach_is_proved(&r, &arc, &a));
+    CHECK(strstr(reach_search_words(&r, &arc, &a, words, sizeof words), "proved") == NULL);
+    a.verdict = REACH_JOINT_LIMIT;
+    a.miss = 2e-3;
+    a.joint = -1; // a strain
+    CHECK(!reach_is_proved(&r, &arc, &a));
+    // tendons whose tension is one are no joints
+    const reach_scope_result held = {.njoint = 4, .low = {0, 0, 0, 1}, .high = {1, 1, 1, 1}};
+    const reach_scope_result moved = {.njoint = 4, .low = {0, 0, 0, 1}, .high = {1, 1, 1, 2}};
+    CHECK(reach_one_bend(&held) && !reach_one_bend(&moved));
+}
+
+static void a_collision_that_is_open_is_told_so(void)
+{
+    const reach_scope_result s = {.njoint = 3};
+    reach_result r = {.clearance = 1e-3};
+    reach_answer a = {.verdict = REACH_COLLISION, .bound = 1.2e-3};
+    CHECK(reach_is_open(&r, &s, &a));
+    CHECK(strcmp(reach_told_words(&r, &s, &a), "collision, not proved") == 0);
+    a.bound = 0.9e-3;
+    CHECK(strcmp(reach_told_words(&r, &s, &a), "collision") == 0);
+    a.verdict = REACH_REACHED;
+    CHECK(strcmp(reach_told_words(&r, &s, &a), "reached") == 0);
 }
 
 int main(void)
@@ -336,5 +369,6 @@ int main(void)
     damaged_ones_are_refused();
     json_says_the_same();
     not_reached_says_how_thorough();
+    a_collision_that_is_open_is_told_so();
     return test_failures != 0;
 }

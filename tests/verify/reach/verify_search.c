@@ -74,7 +74,6 @@ static void start(const scope *s, toy_search *t)
     t->scope = s;
     t->room = (room_probe){.at = toy_room, .context = &t->toy};
     t->options = search_options_default();
-    t->options.most_looks = 4000; // enough for the resolution everywhere here
     CHECK_OK(scope_state_make(s, &entry, &t->state));
     CHECK_OK(inverse_make(s, &t->inverse));
 }
