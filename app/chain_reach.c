@@ -3,6 +3,7 @@
 #include "app/chain.h"
 #include "app/reach_case.h"
 #include "app/reach_run.h"
+#include "base/memory.h"
 #include "reach/reach_map.h"
 
 #include <string.h>
@@ -53,22 +54,49 @@ done:
     return st;
 }
 
-// extra NULL: scope i of the case
+// extra NULL: scope i of the case. Where it fails *s is closed.
 static status run_scope(const reach_study *how, variation *base, int i, const reach_extra *extra,
-                        reach_scope_result *out)
+                        reach_scope *s, reach_scope_result *out)
 {
     status st = OK;
-    reach_scope s;
-    TRY(reach_scope_make(how->c, base, i, extra ? extra->more : NULL, &s));
+    TRY(reach_scope_make(how->c, base, i, extra ? extra->more : NULL, s));
     if (extra) {
-        (void)snprintf(s.scope.name, sizeof s.scope.name, "%s", extra->name);
+        (void)snprintf(s->scope.name, sizeof s->scope.name, "%s", extra->name);
     }
-    st = reach_scene_fits(how->c, how->scene, s.scope.length);
-    st = st != OK ? st : reach_study_scope(how, &s, out);
-    reach_scope_free(&s);
+    st = reach_scene_fits(how->c, how->scene, s->scope.length);
+    st = st != OK ? st : reach_study_scope(how, s, out);
+    if (st != OK) {
+        reach_scope_free(s);
+    }
     TRY(reach_scope_tell(how->c, case_scope(how->c, i), st));
 
 done:
+    return st;
+}
+
+// A scope's targets are shared out over the cores, one scope after the other; then the scopes'
+// maps.
+static status run_scopes(const reach_study *how, variation *base, int n, const reach_extra *extra,
+                         reach_scope_result *out)
+{
+    status st = OK;
+    reach_study targets = *how;
+    reach_scope *s = NULL;
+    const int all = n + (extra ? 1 : 0);
+    int open = 0;
+    targets.nmap = all > 1 ? 0 : how->nmap; // alone it tells how far it is
+    TRY(TAKE(s, (size_t)all));
+    for (int i = 0; i < all; i++, open++) {
+        const bool own = i < n;
+        TRY(run_scope(&targets, base, own ? i : extra->scope, own ? NULL : extra, &s[i], &out[i]));
+    }
+    TRY(all > 1 && how->nmap > 0 ? reach_study_maps(how, all, s, out) : OK);
+
+done:
+    for (int i = 0; i < open; i++) {
+        reach_scope_free(&s[i]);
+    }
+    free(s);
     return st;
 }
 
@@ -86,10 +114,7 @@ status chain_reach_with(const command *cmd, const case_data *c, const reach_extr
     how.nmap = out->reach.nmap;
     how.map = (const double(*)[3])out->reach.map_point;
     TRY(reach_base_open(c, out->has_section ? &out->section : NULL, &base));
-    for (int i = 0; i < n; i++) {
-        TRY(run_scope(&how, &base, i, NULL, &out->reach.scope[i]));
-    }
-    TRY(extra ? run_scope(&how, &base, extra->scope, extra, &out->reach.scope[n]) : OK);
+    TRY(run_scopes(&how, &base, n, extra, out->reach.scope));
 
 done:
     variation_free(&base);

@@ -180,3 +180,76 @@ done:
     reach_work_free(&w);
     return st;
 }
+
+// --- the maps of several scopes, side by side
+
+typedef struct maps {
+    reach_study how; // without progress, which a worker does not tell
+    const command *cmd;
+    reach_scope *scope;
+} maps;
+
+// plain bytes, as a worker hands them over
+typedef struct map_found {
+    reach_scope_result told; // numbers of the map alone
+    int state[];             // [nmap]
+} map_found;
+
+static status map_of_scope(void *context, int item, void *result)
+{
+    status st = OK;
+    const maps *m = context;
+    map_found *found = result;
+    reach_work w = {0};
+    const double begin = cpu_seconds();
+    found->told = (reach_scope_result){.state = found->state};
+    TRY(reach_work_make(&m->how, &m->scope[item], &w));
+    TRY(study_map(&w, &found->told));
+    found->told.seconds = cpu_seconds() - begin;
+
+done:
+    reach_work_free(&w);
+    return reach_scope_tell(m->how.c, m->scope[item].said, st);
+}
+
+static status maps_heard(void *context, int done, int count)
+{
+    const maps *m = context;
+    char words[80];
+    (void)snprintf(words, sizeof words, "reach maps: %d of %d scopes", done, count);
+    if (m->cmd) {
+        command_progress(m->cmd, words);
+    }
+    return OK;
+}
+
+static void keep_map(int nmap, const map_found *found, reach_scope_result *out)
+{
+    memcpy(out->state, found->state, (size_t)nmap * sizeof *out->state);
+    out->area_reached = found->told.area_reached;
+    out->area_undecided = found->told.area_undecided;
+    out->area_error = found->told.area_error;
+    out->map_spacing = found->told.map_spacing;
+    out->seconds += found->told.seconds;
+}
+
+status reach_study_maps(const reach_study *how, int n, reach_scope *scopes, reach_scope_result *out)
+{
+    status st = OK;
+    maps m = {.how = *how, .cmd = how->cmd, .scope = scopes};
+    const team_options team = {.workers = how->workers, .heard = maps_heard, .context = &m};
+    // a whole number of structs, so that each begins where one may
+    const size_t states = (size_t)how->nmap * sizeof(int), one = sizeof(map_found);
+    const size_t size = one + (states + one - 1) / one * one;
+    unsigned char *found = NULL;
+    m.how.cmd = NULL;
+    TRY(TAKE(found, (size_t)n * size));
+    TRY(team_map(map_of_scope, &m, n, size, &team, found));
+    for (int i = 0; i < n; i++) {
+        keep_map(how->nmap, (const map_found *)(const void *)(found + (size_t)i * size), &out[i]);
+    }
+
+done:
+    free(found);
+    return st;
+}

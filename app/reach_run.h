@@ -24,5 +24,10 @@ enum { REACH_BODY_POINTS = 61 };
 // the workers.
 status reach_study_scope(const reach_study *how, reach_scope *s, reach_scope_result *out);
 
+// The maps of n scopes, each on one core: states [nmap] of `out` and what is told of them; CPU time
+// is added to what is there. A failure comes with its scope's place.
+status reach_study_maps(const reach_study *how, int n, reach_scope *scopes,
+                        reach_scope_result *out);
+
 // How finely joints are looked at for a tip's tolerance [m].
 double reach_resolution(double tolerance);

@@ -178,6 +178,15 @@ wanted = sum(reached(2 * (i + 0.5) / n - 1) for i in range(n)) / n
 if abs(share - wanted) > 0.004 or wanted < 0.03: sys.exit(f"{share}, wanted {wanted}")
 END
 
+# the maps of two scopes at once: each as it is alone
+map_of() {
+    python3 -c 'import json, sys; print([s["map"] for s in json.load(open(sys.argv[1]))["scopes"] if s["name"] == "hook"])' "$1"
+}
+map_of "$work/out" >"$work/alone"
+{ sed 's/name: hook/name: other/; s/60, 60/40, 40/' "$work/map.yaml"; sed -n '/name: hook/p' "$work/map.yaml"; } >"$work/maps.yaml"
+expect 0 "$program" reach "$work/maps.yaml" --json
+map_of "$work/out" | cmp -s - "$work/alone" || fail 'a map depends on the scope beside it'
+
 # --- a user's words do nothing to a terminal: escapes, what ends a line, what turns the direction of writing
 
 printf 'name,x_mm,y_mm,z_mm\na\342\200\256b\342\200\250c\302\233d,0,0,15\n' >"$work/words.csv"
