@@ -139,7 +139,7 @@ static status write_bodies(const reach_result *r, const char *dir)
 {
     csv *c = NULL;
     csv_header h = {0};
-    csv_add_all(&h, "scope target verdict s_m x_m y_m z_m clearance_m");
+    csv_add_all(&h, "scope target verdict s_m x_m y_m z_m state clearance_m");
     const status st = csv_table(dir, "reach_body.csv", &h, &c);
     for (int i = 0; st == OK && i < r->nscope; i++) {
         for (int k = 0; k < r->ntarget; k++) {
@@ -150,6 +150,7 @@ static status write_bodies(const reach_result *r, const char *dir)
                 csv_text(c, reach_verdict_words(a->verdict));
                 csv_real(c, a->along[j]);
                 csv_reals(c, 3, a->point[j]);
+                csv_text(c, reach_part_words(reach_part_of(r, a, j)));
                 csv_real(c, a->room[j]);
             }
         }

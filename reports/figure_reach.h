@@ -20,9 +20,6 @@ static inline vec3 reach_vec(const double p[3])
 // "18 of 20 targets reached"
 const char *reach_count_words(const reach_result *r, int scope, char words[REACH_TEXT]);
 
-// Whether a body's point lies beyond the channel in which the shaft is not looked at.
-bool reach_is_looked_at(const reach_result *r, const reach_answer *a, int point);
-
 // Where the anatomy comes from, and that it is synthetic where it is.
 void reach_source_line(canvas *c, double x, double y, double width, const run_result *r);
 

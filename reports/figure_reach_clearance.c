@@ -39,7 +39,7 @@ static colour level_ink(int level)
 static int level_of(const strips *w, const reach_answer *a, int point)
 {
     const double room = a->room[point];
-    if (isnan(room) || !reach_is_looked_at(&w->r->reach, a, point)) {
+    if (isnan(room) || reach_part_of(&w->r->reach, a, point) != REACH_LOOKED_AT) {
         return NONE;
     }
     const double least = w->r->reach.clearance;
@@ -176,7 +176,8 @@ static void ramp_key(canvas *c, const strips *w, double x, double y)
         }
     }
     say(c, x + wide * LEVELS + 10, y, LOOK_SMALL,
-        "mm between skin and tissue; red: %s; grey: not looked at. The least, and s where it is.",
+        "mm between skin and tissue; red: %s; grey: outside or channel. The least, and s where it "
+        "is.",
         least > 0 ? "less than asked for" : "within the tissue");
 }
 

@@ -33,11 +33,6 @@ const char *reach_count_words(const reach_result *r, int scope, char words[REACH
     return words;
 }
 
-bool reach_is_looked_at(const reach_result *r, const reach_answer *a, int point)
-{
-    return a->along[point] - a->along[0] >= r->entry_free;
-}
-
 void reach_source_line(canvas *c, double x, double y, double width, const run_result *r)
 {
     char words[2 * REACH_TEXT + 64];

@@ -121,7 +121,7 @@ static status put_body(reach_scene *w, int scope, int shown, const reach_answer 
         for (int d = 0; d < 3; d++) {
             point[i][d] = a->point[pick[i]][d];
         }
-        room[i] = reach_is_looked_at(w->r, a, pick[i]) ? 1e3 * a->room[pick[i]] : NAN;
+        room[i] = reach_part_of(w->r, a, pick[i]) == REACH_LOOKED_AT ? 1e3 * a->room[pick[i]] : NAN;
     }
     w->points -= n;
     TRY(scene_tube(w->s, at, n, (const double(*)[3])point, room, s->radius,

@@ -2,6 +2,7 @@
 #include "reports/reach_show.h"
 
 #include "reach/reach_case.h"
+#include "reach/scope_room.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -19,6 +20,25 @@ const char *reach_joint_words(const reach_scope_result *s, int joint, char *word
 const char *reach_joint_unit(const reach_scope_result *s, int joint)
 {
     return joint == SCOPE_INSERTION ? "m" : joint == SCOPE_TURN || s->arc ? "rad" : "N";
+}
+
+// the line's own points are on it but for rounding
+static const double on_entry = 1e-9;
+
+reach_part reach_part_of(const reach_result *r, const reach_answer *a, int point)
+{
+    const double *p = a->point[point];
+    const vec3 x = mat3_tmul_vec(r->entry.R, vec3_sub((vec3){{p[0], p[1], p[2]}}, r->entry.p));
+    const double beyond = fmax(x.a[2] - r->entry_free, 0);
+    if (!(hypot(hypot(x.a[0], x.a[1]), beyond) <= SCOPE_CHANNEL_PLAY)) {
+        return REACH_LOOKED_AT;
+    }
+    return x.a[2] < -on_entry ? REACH_OUTSIDE : r->entry_free > 0 ? REACH_CHANNEL : REACH_LOOKED_AT;
+}
+
+const char *reach_part_words(reach_part part)
+{
+    return part == REACH_OUTSIDE ? "outside" : part == REACH_CHANNEL ? "channel" : "looked at";
 }
 
 bool reach_one_bend(const reach_scope_result *s)

@@ -10,6 +10,12 @@ enum { REACH_WORDS = 256 };
 const char *reach_joint_words(const reach_scope_result *s, int joint, char *words, size_t room);
 const char *reach_joint_unit(const reach_scope_result *s, int joint); // "m", "rad" or "N"
 
+// Where a point of a shown body is: behind the entry point on its line, in the entry's channel, or
+// where the wall is looked at.                                             docs/theory.md (10.14)
+typedef enum reach_part { REACH_OUTSIDE, REACH_CHANNEL, REACH_LOOKED_AT } reach_part;
+reach_part reach_part_of(const reach_result *r, const reach_answer *a, int point);
+const char *reach_part_words(reach_part part); // "outside", "channel", "looked at"
+
 // Not reached, and proved: no pose that is near has the clearance asked for, as its bound says; or
 // no arc comes near, by more than what lies between the bends that were looked at.
 bool reach_is_proved(const reach_result *r, const reach_scope_result *s, const reach_answer *a);

@@ -3,6 +3,7 @@
 // synthetic and what is the paper's named so, names of a user's that stay words.
 #include "base/memory.h"
 #include "reports/figures.h"
+#include "reports/reach_show.h"
 #include "tests/reach_results.h"
 #include "tests/unit/io/scratch.h"
 
@@ -19,8 +20,9 @@ static run_result make(bool hostile)
 static void check_column(const char *file, const char *name)
 {
     static const char *const units[] = {"_m", "_rad", "_N", "_ratio", "_count", "_s"};
-    static const char *const words[] = {"scope",  "target", "verdict", "why",  "thoroughness",
-                                        "proved", "kind",   "anatomy", "best", "limit_note"};
+    static const char *const words[] = {"scope",        "target",     "verdict", "why",
+                                        "thoroughness", "proved",     "kind",    "anatomy",
+                                        "best",         "limit_note", "state"};
     const size_t length = strlen(name);
     bool known = strncmp(name, "scope_", 6) == 0 && strcmp(file, "reach_map.csv") == 0;
     for (size_t i = 0; i < sizeof units / sizeof *units; i++) {
@@ -93,6 +95,21 @@ static void tables_have_units_and_all_rows(void)
         scratch_remove(&dir);
         run_result_free(&r);
     }
+}
+
+static void a_body_is_outside_then_in_the_channel_then_looked_at(void)
+{
+    run_result r = make(false);
+    reach_answer *a = &r.reach.scope[0].answer[0];
+    a->point[0][2] = -1e-3;
+    a->point[1][2] = 3e-3; // of the channel's 4 mm
+    a->point[2][0] = 0.2e-3;
+    a->point[2][2] = 3e-3; // off its axis by more than the play
+    CHECK(reach_part_of(&r.reach, a, 0) == REACH_OUTSIDE);
+    CHECK(reach_part_of(&r.reach, a, 1) == REACH_CHANNEL);
+    CHECK(reach_part_of(&r.reach, a, 2) == REACH_LOOKED_AT);
+    CHECK(reach_part_of(&r.reach, a, a->npoint - 1) == REACH_LOOKED_AT);
+    run_result_free(&r);
 }
 
 static char *page_of(const run_result *r)
@@ -193,6 +210,7 @@ static void a_start_without_an_answer_is_told(void)
 
 int main(void)
 {
+    a_body_is_outside_then_in_the_channel_then_looked_at();
     tables_have_units_and_all_rows();
     the_page_tells_it_all();
     hostile_names_stay_words();
