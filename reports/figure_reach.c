@@ -8,7 +8,7 @@
 
 enum { RASTER = 420 };
 
-static const double side = 28, head = 100, foot = 60, sheet_width = 1040, row_head = 40, gap = 22,
+static const double side = 28, head = 100, foot = 80, sheet_width = 1040, row_head = 40, gap = 22,
                     highest = 430, least_height = 200;
 
 typedef struct reach_sheet {
@@ -85,13 +85,13 @@ static status draw(canvas *c, const void *data)
     for (int i = 0; i < r->nscope; i++) {
         row(c, w, i);
     }
-    legend(c, end - 38);
-    say(c, side, end - 16, LOOK_SMALL,
+    legend(c, end - 58);
+    say(c, side, end - 36, LOOK_SMALL,
         "Shading: the thickness of what the wall encloses, as an "
         "X-ray shows it. Left: %s; middle: %s; right: %s.%s",
         reach_camera_name(0), reach_camera_name(1), reach_camera_name(2),
         r->ntarget > REACH_BODIES ? " Not every body is drawn." : "");
-    scale_bar(c, sheet_width - side, end - 38, 90, w->scale / 1e3);
+    scale_bar(c, sheet_width - side, end - 12, 90, w->scale / 1e3);
     return OK;
 }
 
