@@ -54,7 +54,8 @@ static const subcommand list[] = {
      "several searches side by side on all cores; under mpirun the ranks share them out. The same\n"
      "seed gives the same design. With --out DIR: designed.yaml, the case with the design put in,\n"
      "and every design that was looked at as a line of DIR.design-log: the same command goes on\n"
-     "from there after an interrupt, or with more reach.design.evaluations. It may be removed.\n",
+     "from there after an interrupt, or with more reach.design.evaluations. Where DIR is there\n"
+     "already --force replaces it and keeps the log. The log may be removed.\n",
      "stiffaxis design endoscope.yaml --out results/design"},
     {"report", "RESULT", cmd_report, "figures and the page from a stored result",
      "RESULT is a result.hdf or the directory that holds it. Nothing is recomputed. Without --out\n"
