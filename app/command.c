@@ -1,6 +1,7 @@
 // app/command.c
 #include "app/command.h"
 
+#include "app/options.h"
 #include "base/nearest.h"
 #include "fem/segment.h"
 
@@ -11,40 +12,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
-
-typedef enum option_id {
-    OPTION_JSON,
-    OPTION_OUT,
-    OPTION_FORCE,
-    OPTION_SET,
-    OPTION_QUIET,
-    OPTION_LINES,
-    OPTION_MARKDOWN,
-    OPTION_ALLOW_SCRIPTS,
-    OPTION_HELP,
-    OPTION_VERSION,
-    OPTION_COUNT
-} option_id;
-
-typedef struct option {
-    const char *name, *value; // value: what it is followed by, NULL for nothing
-    const char *about;
-    const char *only; // the commands that know it, "run, report"; NULL: all
-} option;
-
-static const option options[OPTION_COUNT] = {
-    {"--json", NULL, "print exactly one JSON document on stdout (SI units)", NULL},
-    {"--out", "DIR", "write the results to DIR, whole or not at all", NULL},
-    {"--force", NULL, "replace an existing DIR that this program wrote", NULL},
-    {"--set", "KEY=VALUE", "override a key of the case, e.g. --set section.model=classical", NULL},
-    {"--quiet", NULL, "no progress and no hints on stderr", NULL},
-    {"--lines", "N", "at most N lines of summary (run, report)", "run, report"},
-    {"--markdown", NULL, "the key reference as Markdown (schema)", "schema"},
-    {"--allow-scripts", NULL, "let a `geo:` section run its gmsh script, which may run programs",
-     NULL},
-    {"--help", NULL, "this help, or that of a command", NULL},
-    {"--version", NULL, "the program's version", NULL},
-};
 
 static status fail_unknown(const char *kind, const char *word, const nearest *near)
 {
@@ -166,7 +133,8 @@ static status take_word(command *cmd, const char *word)
     if (!cmd->sub->argument) {
         return status_fail(ERR_INPUT, "%s takes no argument, not '%s'", cmd->sub->name, word);
     }
-    const bool several = strstr(cmd->sub->argument, "...") != NULL;
+    const bool several =
+        strstr(cmd->sub->argument, "...") != NULL || strchr(cmd->sub->argument, '|') != NULL;
     if (cmd->argument && !several) {
         return status_fail(ERR_INPUT, "%s takes one %s, not '%s' too", cmd->sub->name,
                            cmd->sub->argument, word);
@@ -178,11 +146,6 @@ static status take_word(command *cmd, const char *word)
     cmd->arguments[cmd->nargument++] = word;
     cmd->argument = cmd->arguments[0];
     return OK;
-}
-
-static bool is_known_to(const option *o, const subcommand *sub)
-{
-    return !o->only || strstr(o->only, sub->name);
 }
 
 // contradictions between the subcommand and what came with it
@@ -200,15 +163,12 @@ static status check_command(const command *cmd)
                            sub->example);
     }
     for (int i = 0; i < OPTION_COUNT; i++) {
-        if ((cmd->given & 1U << i) && !is_known_to(&options[i], sub)) {
+        if ((cmd->given & 1U << i) && i != OPTION_SET && !option_known_to(&options[i], sub)) {
             return status_fail(ERR_INPUT, "unknown option '%s' of %s: it belongs to %s",
                                options[i].name, sub->name, options[i].only);
         }
     }
-    const bool settings = sub->argument && (strcmp(sub->argument, "CASE") == 0 ||
-                                            strcmp(sub->argument, "CLOUD") == 0 ||
-                                            strcmp(sub->argument, "DATA...") == 0);
-    if (cmd->noverride > 0 && !settings) {
+    if (cmd->noverride > 0 && !option_known_to(&options[OPTION_SET], sub)) {
         return status_fail(ERR_INPUT, "%s reads no case, so --set has nothing to override",
                            sub->name);
     }
@@ -236,51 +196,6 @@ status command_parse(int argc, const char *const *argv, command *out)
 
 done:
     return st;
-}
-
-// sub: NULL for those of all commands
-static void help_options(const subcommand *sub, FILE *stream)
-{
-    fprintf(stream, "\noptions\n");
-    for (int i = 0; i < OPTION_COUNT; i++) {
-        char left[32];
-        if (sub && !is_known_to(&options[i], sub)) {
-            continue;
-        }
-        (void)snprintf(left, sizeof left, "%s%s%s", options[i].name, options[i].value ? " " : "",
-                       options[i].value ? options[i].value : "");
-        fprintf(stream, "  %-16s %s\n", left, options[i].about);
-    }
-}
-
-void command_help(const command *cmd, FILE *stream)
-{
-    const subcommand *sub = cmd->sub;
-    if (sub) {
-        fprintf(stream, "stiffaxis %s%s%s [options]\n\n%s\n%s", sub->name, sub->argument ? " " : "",
-                sub->argument ? sub->argument : "", sub->about, sub->details);
-        help_options(sub, stream);
-        fprintf(stream, "\nexample\n  %s\n", sub->example);
-        return;
-    }
-    fprintf(stream, "stiffaxis " STIFFAXIS_VERSION ": soft rods in several materials, from the "
-                    "cross section to the shape\n\n"
-                    "usage: stiffaxis COMMAND [CASE] [options]\n\ncommands\n");
-    for (sub = subcommands(); sub->name; sub++) {
-        char left[32];
-        (void)snprintf(left, sizeof left, "%s%s%s", sub->name, sub->argument ? " " : "",
-                       sub->argument ? sub->argument : "");
-        fprintf(stream, "  %-16s %s\n", left, sub->about);
-    }
-    help_options(NULL, stream);
-    fprintf(stream,
-            "\nexit codes\n"
-            "  0 done   1 done, but a comparison is out of tolerance   2 usage or case file\n"
-            "  3 input file damaged   4 no convergence   5 out of memory, disk or time\n"
-            "  6 a bug of ours   130 interrupted\n"
-            "\nfirst steps\n"
-            "  stiffaxis example fig4 > fig4.yaml\n"
-            "  stiffaxis run fig4.yaml --out results/fig4\n");
 }
 
 void command_progress(const command *cmd, const char *words)

@@ -78,3 +78,5 @@ status cmd_scan(command *cmd);
 status cmd_schema(command *cmd);
 status cmd_example(command *cmd);
 status cmd_doctor(command *cmd);
+status cmd_man(command *cmd);
+status cmd_completion(command *cmd);

@@ -18,5 +18,8 @@ status document_begin(document *d);
 // Shows the document on stdout, and keeps it as DIR/name with --out.
 status document_end(document *d, command *cmd, const char *name);
 
+// The same for a text that is no JSON: with --json as {"schema", "text"}, in DIR/name.json.
+status document_end_text(document *d, command *cmd, const char *schema, const char *name);
+
 // Accepts a zeroed one.
 void document_free(document *d);

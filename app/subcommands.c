@@ -95,6 +95,14 @@ static const subcommand list[] = {
     {"doctor", NULL, cmd_doctor, "versions, and what works on this machine",
      "Uses every library once on a small problem. Exit code 5 when one that is needed fails.\n",
      "stiffaxis doctor"},
+    {"man", "[case]", cmd_man, "the manual page; of the case file's keys with `case`",
+     "As troff reads it: stiffaxis man | man -l -\n", "stiffaxis man case | man -l -"},
+    {"completion", "bash|zsh|fish", cmd_completion,
+     "a script that lets the shell complete commands",
+     "Commands, options, examples, files, and the keys of --set with their choices. Installed "
+     "ones\n"
+     "are found by themselves.\n",
+     "stiffaxis completion bash > ~/.local/share/bash-completion/completions/stiffaxis"},
     {0},
 };
 

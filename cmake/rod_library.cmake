@@ -42,6 +42,7 @@ function(rod_library)
         OUTPUT_NAME stiffaxis_rod ARCHIVE_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
     target_link_options(stiffaxis_rod PRIVATE -Wl,--version-script=${CMAKE_BINARY_DIR}/stiffaxis_rod.map
         -Wl,--gc-sections)
+    set_property(GLOBAL APPEND PROPERTY c_libraries stiffaxis_rod stiffaxis_rod_static)
     foreach(library stiffaxis_rod stiffaxis_rod_static)
         target_link_libraries(${library} PRIVATE m)
         target_include_directories(${library} INTERFACE $<BUILD_INTERFACE:${headers}>

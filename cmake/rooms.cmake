@@ -9,7 +9,6 @@ set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
 set(CMAKE_LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
 set(CMAKE_BUILD_RPATH_USE_ORIGIN ON)
-set(CMAKE_INSTALL_RPATH "$ORIGIN:$ORIGIN/../lib/stiffaxis")
 
 option(STIFFAXIS_NATIVE "tune for this machine's processor" OFF)
 
@@ -59,6 +58,10 @@ function(door name)
     add_library(door_${name} MODULE ${ARG_UNPARSED_ARGUMENTS})
     set_target_properties(door_${name} PROPERTIES PREFIX "" OUTPUT_NAME stiffaxis_${name})
     our_code(door_${name})
+    # what PETSc says of a place in the code tells no place on the machine of the build
+    file(RELATIVE_PATH seen_from_build ${CMAKE_BINARY_DIR} ${PROJECT_SOURCE_DIR})
+    target_compile_options(door_${name} PRIVATE -fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=
+        -fmacro-prefix-map=${seen_from_build}/=)
     target_link_libraries(door_${name} PRIVATE base)
     foreign(door_${name} LINK ${ARG_LINK} INCLUDE ${ARG_INCLUDE})
 endfunction()
@@ -146,10 +149,4 @@ function(benchmarks)
     endforeach()
     # bench/bench.sh runs these with all of their cases
     add_dependencies(benchmarks verify_inverse verify_distance verify_search verify_reach_map verify_way)
-endfunction()
-
-function(installation)
-    include(GNUInstallDirs)
-    install(TARGETS stiffaxis RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-    install(TARGETS base door_hdf5 door_gmsh door_petsc door_gsl door_embree door_nlopt door_mpi LIBRARY DESTINATION lib/stiffaxis)
 endfunction()

@@ -71,10 +71,12 @@ status config_fail(const config *cfg, mark at, const char *format, ...)
 enum { CONFIG_PLACE_TEXT = 800 };
 void config_place_text(const config *cfg, mark at, char text[CONFIG_PLACE_TEXT]);
 
-// The table as JSON Schema (draft 2020-12), and as Markdown for docs/ on a FILE.
+// The table as JSON Schema (draft 2020-12), as Markdown, and as the sections of a manual page on a
+// FILE.
 struct json;
 status schema_write(const key_table *root, struct json *out);
 status schema_markdown(const key_table *root, void *stdio_stream);
+status schema_man(const key_table *root, void *stdio_stream);
 
 // The unit that a written key ends with ("mm" of "rod.length_mm"), "" where it has none, and its
 // factor to SI.

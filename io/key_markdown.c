@@ -1,29 +1,14 @@
 // io/key_markdown.c
 #include "io/key_names.h"
+#include "io/key_words.h"
 
-#include <math.h>
 #include <stdio.h>
-#include <string.h>
 
 // '|' would end a cell
 static void put_cell(FILE *stream, const char *text)
 {
     for (const char *p = text; *p; p++) {
         (void)fprintf(stream, *p == '|' ? "\\%c" : "%c", *p);
-    }
-}
-
-static void put_limits(FILE *stream, const key *k, const unit *u)
-{
-    if (k->min == 0 && k->max == 0) {
-        return;
-    }
-    const char *space = u->name[0] ? " " : "";
-    if (isfinite(k->max)) {
-        (void)fprintf(stream, ", %.6g to %.6g%s%s", unit_from_si(u, k->min),
-                      unit_from_si(u, k->max), space, u->name);
-    } else {
-        (void)fprintf(stream, ", at least %.6g%s%s", unit_from_si(u, k->min), space, u->name);
     }
 }
 
@@ -39,55 +24,19 @@ static void put_link(FILE *stream, const char *name)
 
 static void put_value(FILE *stream, const key *k)
 {
-    static const char *const kinds[] = {
-        [KEY_REAL] = "number",
-        [KEY_INTEGER] = "whole number",
-        [KEY_FLAG] = "true or false",
-        [KEY_TEXT] = "text",
-        [KEY_NAME] = "name",
-        [KEY_FIELD] = "number or expression in s",
-        [KEY_PLACE] = "number or expression in x, y and s, all in metres",
-        [KEY_TEXTS] = "list of texts, or one",
-        [KEY_TABLE] = "map of",
-        [KEY_LIST] = "list of",
-        [KEY_NAMED] = "map from names to",
-    };
-    const unit *units = NULL;
-    (void)unit_list(k->dimension, &units);
-    if (k->kind == KEY_CHOICE) {
-        put_cell(stream, k->choices);
-    } else if (k->kind == KEY_VECTOR) {
-        (void)fprintf(stream, "%d numbers", k->count);
-    } else if (k->kind == KEY_FIELDS) {
-        (void)fprintf(stream, "%d numbers or expressions in s", k->count);
-    } else if (k->kind == KEY_ROWS && k->count > 0) {
-        (void)fprintf(stream, "rows of %d numbers", k->count);
-    } else if (k->kind == KEY_ROWS) {
-        (void)fprintf(stream, "rows of numbers%s", k->open ? " or ~" : "");
-    } else {
-        (void)fputs(kinds[k->kind], stream);
-    }
+    char words[KEY_WORDS];
+    key_value_words(k, words);
+    put_cell(stream, words);
     if (k->table) {
         put_link(stream, k->table->name);
     }
-    put_limits(stream, k, units);
-}
-
-static void put_demand(FILE *stream, const key *k)
-{
-    if (k->required) {
-        (void)fputs("required", stream);
-    } else if (k->one_of > 0) {
-        (void)fprintf(stream, "one of group %d", k->one_of);
-    } else if (k->one_of < 0) {
-        (void)fprintf(stream, "at most one of group %d", -k->one_of);
-    } else if (k->initial) {
-        put_cell(stream, k->initial);
-    }
+    key_limit_words(k, words);
+    (void)fprintf(stream, "%s%s", words[0] ? ", " : "", words);
 }
 
 static void put_key(FILE *stream, const key *k)
 {
+    char words[KEY_WORDS];
     const unit *units = NULL;
     const int n = unit_list(k->dimension, &units);
     (void)fputs("| ", stream);
@@ -99,7 +48,8 @@ static void put_key(FILE *stream, const key *k)
     (void)fputs(" | ", stream);
     put_value(stream, k);
     (void)fputs(" | ", stream);
-    put_demand(stream, k);
+    key_demand_words(k, words);
+    put_cell(stream, words);
     (void)fputs(" | ", stream);
     put_cell(stream, k->about ? k->about : "");
     (void)fputs(" |\n", stream);

@@ -1,0 +1,14 @@
+// io/key_words.h
+// A key's value, range and default in plain words, for every form of the key reference.
+#pragma once
+
+#include "base/key.h"
+
+enum { KEY_WORDS = 1024 };
+
+// "number", "list of", "full|classical"; a kind that holds a table ends before the table's name.
+void key_value_words(const key *k, char words[KEY_WORDS]);
+// "0 to 0.5", "at least 1 mm"; "" where any value is allowed.
+void key_limit_words(const key *k, char words[KEY_WORDS]);
+// "required", "one of group 1", the default, or "".
+void key_demand_words(const key *k, char words[KEY_WORDS]);
