@@ -254,6 +254,13 @@ done:
     return st;
 }
 
+static status open_config(const case_request *r, config **out)
+{
+    return r->again  ? config_open_again(r->again, r->noverride, r->overrides, out)
+           : r->text ? config_open_text(r->path, r->text, r->noverride, r->overrides, out)
+                     : config_open(r->path, r->noverride, r->overrides, out);
+}
+
 status case_open(const case_request *request, case_data *out)
 {
     status st = OK;
@@ -261,9 +268,7 @@ status case_open(const case_request *request, case_data *out)
     key_table root;
     case_file initial;
 
-    TRY(request->again
-            ? config_open_again(request->again, request->noverride, request->overrides, &c.config)
-            : config_open(request->path, request->noverride, request->overrides, &c.config));
+    TRY(open_config(request, &c.config));
     TRY(peek_length(&c, &rod_keys, "rod.length"));
     TRY(peek_length(&c, &segment_keys, "fem.length"));
     if (c.length > 0) {

@@ -44,6 +44,8 @@ typedef struct case_data {
 
 typedef struct case_request {
     const char *path;
+    const char
+        *text; // the case itself, which no file holds; path is its name. NULL: read from path
     int noverride;
     const char *const *overrides; // KEY=VALUE
     bool allow_scripts;           // a `geo:` section may run

@@ -34,7 +34,10 @@ status chain_rods(const command *cmd, const case_data *c, run_result *out); // a
 status chain_measured(const command *cmd, const case_data *c, run_result *out); // after chain_rods
 // x and y of a tendon at s as its keys say; of a table what lies between its points.
 void chain_tendon_place(const tendon_spec *t, double s, double place[2]);
-// Of tendons and loads; rods has room for them.
+// What tables and figures call tendon or load i: its name, else its kind and number.
+void chain_tendon_name(const rod_case *rc, int i, char name[RESULT_NAME]);
+void chain_load_name(const rod_case *rc, int i, char name[RESULT_NAME]);
+// Of all tendons and loads; rods has room for them.
 void chain_rod_names(const rod_case *rc, rod_result *rods);
 // What pictures show beside the solutions; solves for the shape at rest.
 status chain_rod_sketch(const rod_case *rc, rod_state *state, rod_result *rods);

@@ -43,28 +43,33 @@ static void name_tendons(const rod_case *rc, rod_result *rods)
     for (int i = 0; i < rods->ntendon; i++) {
         const tendon_spec *t = &rc->spec[i];
         chain_tendon_place(t, 0, rods->tendon_base[i]);
-        keep_name(t->name, "tendon", i + 1, rods->tendon_name[i]);
+        chain_tendon_name(rc, i, rods->tendon_name[i]);
     }
 }
 
-static void name_loads(const rod_case *rc, rod_result *rods)
+void chain_tendon_name(const rod_case *rc, int i, char name[RESULT_NAME])
+{
+    keep_name(rc->spec[i].name, "tendon", i + 1, name);
+}
+
+void chain_load_name(const rod_case *rc, int i, char name[RESULT_NAME])
 {
     const point_load *point = rc->loads.items;
     const line_load *line = rc->line_loads.items;
-    char(*name)[RESULT_NAME] = rods->load_name;
-    for (int i = 0; i < rc->loads.count; i++) {
-        keep_name(point[i].name, "load", i + 1, *name++);
-    }
-    for (int i = 0; i < rc->line_loads.count; i++) {
-        keep_name(line[i].name, "line load", i + 1, *name++);
-    }
-    if (rod_case_has_gravity(rc)) {
-        keep_name("gravity", "", 0, *name);
+    const int line_number = i - rc->loads.count;
+    if (line_number < 0) {
+        keep_name(point[i].name, "load", i + 1, name);
+    } else if (line_number < rc->line_loads.count) {
+        keep_name(line[line_number].name, "line load", line_number + 1, name);
+    } else {
+        keep_name("gravity", "", 0, name);
     }
 }
 
 void chain_rod_names(const rod_case *rc, rod_result *rods)
 {
     name_tendons(rc, rods);
-    name_loads(rc, rods);
+    for (int i = 0; i < rods->nload; i++) {
+        chain_load_name(rc, i, rods->load_name[i]);
+    }
 }

@@ -1,4 +1,5 @@
 // base/door.c
+#define _GNU_SOURCE // dladdr
 #include "base/door.h"
 
 #include <dlfcn.h>
@@ -13,25 +14,28 @@ static struct {
     void *handle;
 } doors[MAX_DOORS];
 
-static void *open_beside_program(const char *name)
+// place: from the folder of `file`
+static void *open_near(const char *file, const char *place, const char *name)
+{
+    char path[4096];
+    const char *slash = strrchr(file, '/');
+    const int n = snprintf(path, sizeof path, "%.*s%s/stiffaxis_%s.so",
+                           slash ? (int)(slash - file) : 1, slash ? file : ".", place, name);
+    const bool fits = n > 0 && (size_t)n < sizeof path;
+    return fits && access(path, R_OK) == 0 ? dlopen(path, RTLD_NOW | RTLD_GLOBAL) : NULL;
+}
+
+// beside this library, which another program may have loaded, else beside the program
+static void *open_module(const char *name)
 {
     char program[3072];
-    const ssize_t length = readlink("/proc/self/exe", program, sizeof program - 1);
-    if (length <= 0) {
-        return NULL;
-    }
-    program[length] = '\0';
-    char *slash = strrchr(program, '/');
-    *(slash ? slash : program) = '\0';
-
-    void *handle = NULL;
     const char *places[] = {"", "/../lib/stiffaxis"};
-    for (int i = 0; i < 2 && !handle; i++) {
-        char path[4096];
-        (void)snprintf(path, sizeof path, "%s%s/stiffaxis_%s.so", program, places[i], name);
-        if (access(path, R_OK) == 0) {
-            handle = dlopen(path, RTLD_NOW | RTLD_GLOBAL);
-        }
+    Dl_info own = {0};
+    void *handle = dladdr(doors, &own) && own.dli_fname ? open_near(own.dli_fname, "", name) : NULL;
+    const ssize_t length = readlink("/proc/self/exe", program, sizeof program - 1);
+    for (int i = 0; i < 2 && length > 0 && !handle; i++) {
+        program[length] = '\0';
+        handle = open_near(program, places[i], name);
     }
     return handle;
 }
@@ -55,11 +59,12 @@ status door_open(const char *name, const char *symbol, door_function *out)
 {
     void *handle = find_door(name);
     if (!handle) {
-        handle = open_beside_program(name);
+        handle = open_module(name);
         if (!handle) {
             const char *why = dlerror();
-            return status_fail(ERR_RESOURCE, "cannot open the %s module: %s", name,
-                               why ? why : "it is not beside the program nor in ../lib/stiffaxis");
+            return status_fail(
+                ERR_RESOURCE, "cannot open the %s module: %s", name,
+                why ? why : "it is not beside the library or the program, nor in ../lib/stiffaxis");
         }
         for (int i = 0; i < MAX_DOORS; i++) {
             if (!doors[i].handle) {

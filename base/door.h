@@ -7,8 +7,8 @@
 
 typedef void (*door_function)(void);
 
-// Opens stiffaxis_<name>.so beside the program or in ../lib/stiffaxis, once, and looks `symbol` up
-// in it. ERR_RESOURCE with the loader's reason.
+// Opens stiffaxis_<name>.so beside this library, beside the program or in ../lib/stiffaxis from
+// there, once, and looks `symbol` up in it. ERR_RESOURCE with the loader's reason.
 status door_open(const char *name, const char *symbol, door_function *out);
 
 // Whether the door was opened in this process: tests ask.

@@ -8,8 +8,8 @@ find build/cover -name '*.gcda' | while read -r data; do
     (cd "$work" && gcov --stdout "$OLDPWD/$data" 2>/dev/null) || true
 done >"$work/all"
 awk -F: '
-    /^ *-: *0:Source:/ { split($0, part, "Source:"); file = part[2]; sub(/^.*\/(app|base|fem|io|meshes|reports|rodsolver|section)\//, "", file)
-        room = part[2]; ours = match(room, /(app|base|fem|io|meshes|reports|rodsolver|section)\/[^\/]*\.c$/)
+    /^ *-: *0:Source:/ { split($0, part, "Source:"); file = part[2]; sub(/^.*\/(api|app|base|fem|io|meshes|reports|rodsolver|section)\//, "", file)
+        room = part[2]; ours = match(room, /(api|app|base|fem|io|meshes|reports|rodsolver|section)\/[^\/]*\.c$/)
         room = ours ? substr(room, RSTART) : ""; next }
     room != "" { line = room ":" ($2 + 0); count = $1; gsub(/ /, "", count)
         if (count == "-") next

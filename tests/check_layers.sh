@@ -15,6 +15,7 @@ below() {
     reach) echo 'base io rodsolver measure reach' ;;
     reports) echo 'base io meshes section rodsolver measure fem reach reports' ;;
     app) echo 'base io meshes section rodsolver measure fem reach reports app' ;;
+    api) echo 'base io meshes section rodsolver measure fem reach reports app api' ;;
     esac
 }
 
@@ -35,7 +36,7 @@ nlopt.h reach/nlopt_door_module.c
 cairo reports/cairo_door.c'
 
 bad=0
-for room in base io meshes section rodsolver measure fem reach reports app; do
+for room in base io meshes section rodsolver measure fem reach reports app api; do
     allowed=$(below $room | tr ' ' '|')
     wrong=$(grep -nE '^#include "' $room/*.c $room/*.h | grep -vE "#include \"($allowed)/" || true)
     if [ -n "$wrong" ]; then

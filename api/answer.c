@@ -1,0 +1,74 @@
+// api/answer.c
+// What a state tells about its last answer.
+#include "api/handles.h"
+
+#include <string.h>
+
+static double place(const stiffaxis_state *state, int n, const double *s, int i)
+{
+    const double length = stiffaxis_rod_length(state->rod);
+    return s ? s[i] : i == n - 1 ? length : length * i / (n - 1);
+}
+
+int stiffaxis_shape(const stiffaxis_state *state, int n, const double *s, double *position,
+                    double *rotation)
+{
+    status st = OK;
+    status_clear();
+    for (int i = 0; i < n; i++) {
+        pose g;
+        TRY(rod_pose(state->state, place(state, n, s, i), &g));
+        if (position) {
+            memcpy(position + 3 * (size_t)i, g.p.a, sizeof g.p.a);
+        }
+        if (rotation) {
+            memcpy(rotation + 9 * (size_t)i, g.R.a, sizeof g.R.a);
+        }
+    }
+
+done:
+    return (int)st;
+}
+
+int stiffaxis_along(const stiffaxis_state *state, int n, const double *s, double *strain,
+                    double *wrench, double *tension)
+{
+    status st = OK;
+    const size_t ntendon = (size_t)stiffaxis_rod_tendons(state->rod);
+    status_clear();
+    for (int i = 0; i < n; i++) {
+        const double at = place(state, n, s, i);
+        vec6 value;
+        if (strain) {
+            TRY(rod_strain_at(state->state, at, &value));
+            memcpy(strain + 6 * (size_t)i, value.a, sizeof value.a);
+        }
+        if (wrench || tension) {
+            TRY(rod_wrench_at(state->state, at, &value,
+                              tension ? tension + ntendon * (size_t)i : NULL));
+        }
+        if (wrench) {
+            memcpy(wrench + 6 * (size_t)i, value.a, sizeof value.a);
+        }
+    }
+
+done:
+    return (int)st;
+}
+
+// arrays of doubles are these, too
+_Static_assert(sizeof(vec6) == 6 * sizeof(double) && sizeof(mat6) == 36 * sizeof(double),
+               "nothing but their numbers");
+
+int stiffaxis_derive(stiffaxis_state *state, double s, const stiffaxis_derivatives *out)
+{
+    status_clear();
+    return (int)rod_derive(state->state, s,
+                           &(rod_derivatives){.tension = (vec6 *)out->tension,
+                                              .pull = (vec6 *)out->pull,
+                                              .load = (vec6 *)out->load,
+                                              .tip_space = (mat6 *)out->tip_space,
+                                              .tip_body = (mat6 *)out->tip_body,
+                                              .base = (mat6 *)out->base,
+                                              .length_by_tension = out->length_by_tension});
+}
