@@ -15,9 +15,13 @@ function(api_library)
     target_link_libraries(stiffaxis_api PRIVATE commands)
     target_include_directories(stiffaxis_api INTERFACE $<BUILD_INTERFACE:${headers}>
         $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
-    file(RELATIVE_PATH modules /${CMAKE_INSTALL_LIBDIR} /lib/stiffaxis)
+    file(RELATIVE_PATH modules /${CMAKE_INSTALL_LIBDIR} /${MODULES})
     set_target_properties(stiffaxis_api PROPERTIES INSTALL_RPATH "$ORIGIN:$ORIGIN/${modules}")
     add_dependencies(stiffaxis_api door_gmsh)
     c_package(stiffaxis PC stiffaxis COMPONENT api DESCRIPTION "cross sections, stiffness and rods of multi-material soft robots"
         TARGETS stiffaxis_api HEADERS ${headers})
+    set_property(GLOBAL APPEND PROPERTY c_libraries stiffaxis_api)
+    # for pip, or for PYTHONPATH; it finds the library from there
+    install(DIRECTORY python/ DESTINATION ${CMAKE_INSTALL_DATADIR}/stiffaxis/python COMPONENT python
+        PATTERN "__pycache__" EXCLUDE PATTERN "*.egg-info" EXCLUDE PATTERN build EXCLUDE)
 endfunction()
