@@ -11,6 +11,11 @@ enum { PATH_POINTS = 161 };
 
 static const double sheet_width = 960;
 
+box section_sketch_box(const section_sketch *s)
+{
+    return (box){28, 66, 500, s->npath > 0 ? 640 - 166 : 540 - 86};
+}
+
 static status draw(canvas *c, const void *data)
 {
     const section_sketch *s = data;
@@ -25,7 +30,7 @@ static status draw(canvas *c, const void *data)
             "thick line: the stiffness centre's way from base (●) to tip (○)");
     }
     section_panel(c, s, (box){568, 76, sheet_width - 568 - 30, height - 76 - 20});
-    return section_drawing(c, s, (box){28, 66, 500, height - (s->npath > 0 ? 166 : 86)});
+    return section_drawing(c, s, section_sketch_box(s));
 }
 
 // the interpolant gives a smooth path; it is not one where the centre stands still
@@ -58,16 +63,35 @@ done:
     return st;
 }
 
+status section_sketch_make(const run_result *r, section_sketch *out)
+{
+    status st = OK;
+    section_sketch s = {
+        .r = r, .centres = &r->section.station[0].centres, .answers = result_answers(r, 0)};
+    TRY(follow_centre(&s));
+    *out = s;
+    s.path = NULL;
+
+done:
+    section_sketch_free(&s);
+    return st;
+}
+
+void section_sketch_free(section_sketch *s)
+{
+    free(s->path);
+    s->path = NULL;
+}
+
 status figure_section(const run_result *r, const char *dir)
 {
     status st = OK;
+    section_sketch s = {0};
     if (!r->has_section || r->section.nstation == 0 || r->section_mesh.nnode == 0) {
         return OK;
     }
-    section_sketch s = {
-        .r = r, .centres = &r->section.station[0].centres, .answers = result_answers(r, 0)};
 
-    TRY(follow_centre(&s));
+    TRY(section_sketch_make(r, &s));
     const picture p = {
         .name = "section",
         .title = "Cross section with its materials, centres and principal axes",
@@ -79,6 +103,6 @@ status figure_section(const run_result *r, const char *dir)
     TRY(picture_write(&p, dir));
 
 done:
-    free(s.path);
+    section_sketch_free(&s);
     return st;
 }

@@ -15,6 +15,18 @@ typedef struct section_sketch {
     double (*path)[4];              // s, x, y of the stiffness centre [m] and the turn of x' [rad]
 } section_sketch;
 
+// Of the first station; ERR_RESOURCE. The drawing's box on the sheet.
+status section_sketch_make(const run_result *r, section_sketch *out);
+void section_sketch_free(section_sketch *s);
+box section_sketch_box(const section_sketch *s);
+
+// Where a place of the section stands on paper.
+typedef struct sketch_frame {
+    double scale;  // points per m
+    double x0, y0; // where the geometric centre stands
+} sketch_frame;
+sketch_frame sketch_frame_of(const mesh *m, box at);
+
 status section_drawing(canvas *c, const section_sketch *s, box at);
 void section_panel(canvas *c, const section_sketch *s, box at);
 

@@ -5,10 +5,7 @@
 #include <float.h>
 #include <math.h>
 
-typedef struct view {
-    double scale;  // points per m
-    double x0, y0; // where the geometric centre stands
-} view;
+typedef sketch_frame view;
 
 static double view_x(const view *v, double x)
 {
@@ -23,7 +20,7 @@ static double view_y(const view *v, double y)
 // what a label beyond the section needs on every side [points]
 static const double margin = 40;
 
-static view fit(const mesh *m, box at)
+sketch_frame sketch_frame_of(const mesh *m, box at)
 {
     double low[2] = {0, 0}, high[2] = {0, 0};
     for (int i = 0; i < m->nnode; i++) {
@@ -239,7 +236,7 @@ status section_drawing(canvas *c, const section_sketch *s, box at)
 {
     status st = OK;
     plane_edges edges = {0};
-    const view v = fit(&s->r->section_mesh, at);
+    const view v = sketch_frame_of(&s->r->section_mesh, at);
 
     TRY(plane_edges_make(&s->r->section_mesh, &edges));
     TRY(regions(c, s, &edges, &v));

@@ -22,10 +22,14 @@ status page_scripts(bytes *page);
 
 // DIR/name.svg with a caption; nothing where there is no such file.
 status page_figure(bytes *page, const char *dir, const char *name, const char *caption);
+// The same with elements of SVG on top of it, as markup; NULL: nothing.
+status page_figure_under(bytes *page, const char *dir, const char *name, const char *over,
+                         const char *caption);
 
 // reports/page_section.c, page_rod.c, page_segment.c, page_rest.c: one part each, nothing where the
 // result has none.
 status page_section(bytes *page, const run_result *r, const char *dir);
+status page_section_figure(bytes *page, const run_result *r, const char *dir); // with values
 status page_rod(bytes *page, const run_result *r, const char *dir);
 status page_answers(bytes *page, const run_result *r, const char *dir); // of the section
 status page_strains(bytes *page, const run_result *r);                  // of the rod
@@ -37,7 +41,10 @@ status page_models(bytes *page,
 status page_sensitivity(bytes *page, const run_result *r, const char *dir);
 status page_fit(bytes *page, const run_result *r, const char *dir);   // reports/page_fit.c
 status page_reach(bytes *page, const run_result *r, const char *dir); // reports/page_reach.c
-status page_reach_view(bytes *page, const run_result *r);             // in space, to be turned
+// In space, to be turned: what three.js draws.
+status page_reach_view(bytes *page, const run_result *r);
+status page_rod_view(bytes *page, const run_result *r);
+status page_segment_view(bytes *page, const run_result *r); // nothing without displacements
 status page_assumptions(bytes *page, const run_result *r);
 status page_origin(bytes *page, const run_result *r);
 

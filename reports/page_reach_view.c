@@ -219,8 +219,8 @@ static status open_scene(reach_scene *w)
     for (int i = 0; i < w->ntarget; i++) {
         target[i] = w->target_name[i];
     }
-    const scene_choice choice[CHOICES] = {{"Scope", w->r->nscope, scope, false},
-                                          {"Target", w->ntarget, target, true}};
+    const scene_choice choice[CHOICES] = {{"Scope", w->r->nscope, scope, false, 0},
+                                          {"Target", w->ntarget, target, true, SCENE_ANY}};
     scene_spec spec = {.name = "The tissue with targets and scopes",
                        .nlayer = LAYERS,
                        .layer = layer,

@@ -1,6 +1,7 @@
 // reports/page_rest.c
 // Comparisons, assumptions and where the numbers come from.
 #include "reports/page_kit.h"
+#include "reports/scripts.h"
 
 #include <math.h>
 #include <string.h>
@@ -164,7 +165,12 @@ status page_origin(bytes *page, const run_result *r)
 {
     status st = OK;
 
-    PAGE("<h2 id=\"origin\">Where this comes from</h2>\n");
+    const script *cite = &script_citation;
+    PAGE("<h2 id=\"origin\">Where this comes from</h2>\n<h3 id=\"cite\">How to cite</h3>\n<p>The "
+         "software, in the form that GitHub and reference managers read (CITATION.cff):</p>\n"
+         "<pre>");
+    TRY(markup_escape(page, cite->text, (size_t)(cite->end - cite->text)));
+    PAGE("</pre>\n");
     if (r->versions[0]) {
         PAGE("<h3>Versions</h3>\n<pre>");
         TRY(page_escaped(page, r->versions));

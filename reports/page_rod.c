@@ -214,6 +214,7 @@ status page_rod(bytes *page, const run_result *r, const char *dir)
 
     TRY(heading(page, r));
     TRY(page_rod_warnings(page, r));
+    TRY(page_rod_view(page, r));
     TRY(page_figure(page, dir, "rods", "Shapes of all solutions."));
     TRY(page_rod_loads(page, r));
     TRY(strain_warning(page, r));

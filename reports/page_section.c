@@ -109,7 +109,7 @@ status page_section(bytes *page, const run_result *r, const char *dir)
          s->effort.uneven
              ? " Its shapes turn at different rates: K is that of a section that does not turn."
              : "");
-    TRY(page_figure(page, dir, "section", "The section at the first station, to scale."));
+    TRY(page_section_figure(page, r, dir));
     TRY(stations(page, s));
     TRY(stiffness(page, &s->station[0]));
     TRY(page_answers(page, r, dir));

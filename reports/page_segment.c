@@ -157,6 +157,7 @@ done:
 static status figures(bytes *page, const run_result *r, const char *dir)
 {
     status st = OK;
+    TRY(page_segment_view(page, r));
     TRY(page_figure(page, dir, "segment", "Deformed segments, one colour scale for all loads."));
     if (r->segment.body.shared) {
         PAGE("<p class=\"note\">Several processes have the fields between them: "

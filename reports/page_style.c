@@ -3,8 +3,6 @@
 // printer; scripts for its views only, nothing from outside.
 #include "reports/page_kit.h"
 
-#include "reports/svg_tidy.h"
-
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -55,7 +53,7 @@ static const char *const style[] = {
     "td.zero{color:#a6adb6}\n",
     "figure{margin:1.2rem 0;overflow-x:auto;border:1px solid "
     "var(--line);border-radius:6px;padding:6px}\n"
-    "figure svg{display:block;width:100%;height:auto;min-width:620px}\n"
+    "figure svg,figure img{display:block;width:100%;height:auto;min-width:620px}\n"
     "figcaption{color:var(--soft);font-size:.86rem;padding:4px 8px 6px;position:sticky;left:0}\n"
     ".good{color:var(--good);font-weight:600}.bad{color:var(--bad);font-weight:600}"
     ".skip{color:var(--soft)}\n"
@@ -84,6 +82,10 @@ static const char *const style[] = {
     "4px}\n"
     ".view .words{margin:8px;min-height:3.2em}.view[data-state=live] .still{display:none}"
     ".view .label[hidden],.view .controls [hidden]{display:none}\n",
+    ".over{fill:none;stroke:none;pointer-events:all;cursor:help;outline:none}.over "
+    "text{visibility:hidden;fill:#20262f;font:600 12px "
+    "system-ui,'DejaVu Sans',sans-serif}.over:hover text,.over:focus text{visibility:visible}"
+    ".over:focus .mark,.over:hover .mark{stroke:#00588f;stroke-width:3}\n",
     "@media(max-width:600px){h1{font-size:1.35rem}th,td{padding:5px 8px}}\n"
     "@media print{.view{display:none}}\n",
     "@media "
@@ -91,8 +93,8 @@ static const char *const style[] = {
     "solid #000}"
     "header "
     "p{color:#333}nav{display:none}h2{break-after:avoid}figure,table,dl.key{break-inside:avoid}"
-    "figure,.scroll{overflow:visible}figure "
-    "svg{min-width:0}pre{white-space:pre-wrap}td.text{min-width:0}"
+    "figure,.scroll{overflow:visible}figure svg,figure "
+    "img{min-width:0}pre{white-space:pre-wrap}td.text{min-width:0}"
     "th,td{padding:3px 6px;white-space:normal}}\n",
 };
 
@@ -126,47 +128,5 @@ status page_close(bytes *page)
     TRY(bytes_text(page, "</body>\n</html>\n"));
 
 done:
-    return st;
-}
-
-// The whole file; *out stays empty where there is none.
-static status read_file(const char *dir, const char *name, bytes *out)
-{
-    status st = OK;
-    char path[4096], piece[8192];
-    const int n = snprintf(path, sizeof path, "%s/%s.svg", dir, name);
-    FILE *f = n > 0 && n < (int)sizeof path ? fopen(path, "rb") : NULL;
-    if (!f) {
-        return OK;
-    }
-    for (size_t got = fread(piece, 1, sizeof piece, f); got > 0;
-         got = fread(piece, 1, sizeof piece, f)) {
-        TRY(bytes_append(out, piece, got));
-    }
-    if (ferror(f)) {
-        TRY(status_fail(ERR_RESOURCE, "cannot read the picture %s", path));
-    }
-
-done:
-    (void)fclose(f);
-    return st;
-}
-
-status page_figure(bytes *page, const char *dir, const char *name, const char *caption)
-{
-    status st = OK;
-    bytes svg = {0};
-
-    TRY(read_file(dir, name, &svg));
-    // without the XML declaration, which HTML does not know
-    const char *element = svg.data ? svg_element(svg.data) : NULL;
-    if (element) {
-        PAGE("<figure>\n");
-        TRY(bytes_text(page, element));
-        PAGE("<figcaption>%s</figcaption>\n</figure>\n", caption);
-    }
-
-done:
-    bytes_free(&svg);
     return st;
 }

@@ -4,6 +4,7 @@
 // coordinates are kept in 65535 steps of the scene's box.
 #pragma once
 
+#include "base/se3.h"
 #include "reports/figure_kit.h"
 #include "reports/markup.h"
 
@@ -15,8 +16,15 @@ typedef struct scene_choice {
     const char *name;
     int noption;
     const char *const *option;
-    bool all; // "all" can be chosen too, and comes first
+    bool all;  // "all" can be chosen too, and comes first
+    int first; // option chosen at first; SCENE_ANY: all
 } scene_choice;
+
+// A factor that a slider gives to what moves (scene_moved).
+typedef struct scene_factor {
+    const char *name; // NULL: there is none
+    double most, first;
+} scene_factor;
 
 typedef struct scene_spec {
     const char *name;    // what a screen reader says
@@ -28,6 +36,8 @@ typedef struct scene_spec {
     const scene_choice *choice;
     const char *value_name; // what bodies are coloured by: "clearance, mm"; NULL: nothing
     double value_most;      // end of the ramp, in the unit that value_name names
+    bool by_value;          // the first choice is between the bodies' own colours and their values
+    scene_factor factor;
 } scene_spec;
 
 status scene_open(const scene_spec *spec, scene **out);
@@ -65,6 +75,32 @@ status scene_line(scene *s, scene_place at, int npoint, const double (*point)[3]
 status scene_points(scene *s, scene_place at, int npoint, const double (*point)[3], double radius,
                     const unsigned char *kind, int nink, const colour *ink,
                     const char *const *label);
+// What rods wear from here on: the loops of their section's outline, what lies inside to the left,
+// with one ink for each piece of them.
+typedef struct scene_outline {
+    int nloop;
+    const int *loop;          // [nloop] points of each
+    const double (*point)[2]; // of one loop after the other [m]
+    const unsigned char *ink; // [points] of the piece from there to the loop's next point
+    int nink;
+    const colour *colour;
+} scene_outline;
+// turn [npoint]: of the outline at the points of every rod [rad].
+status scene_skin(scene *s, const scene_outline *outline, int npoint, const double *turn);
+// A rod in the last skin; strain [npoint]: at the origin, and its slopes in x and y [value, value
+// per m]; what is drawn is its size.
+status scene_rod(scene *s, scene_place at, int npoint, const pose *shape, const double (*strain)[3],
+                 const char *name);
+
+// A body at rest; ink [nvertex]. At most 65535 vertices.
+status scene_solid(scene *s, scene_place at, int nvertex, const double (*vertex)[3], int ntriangle,
+                   const int (*triangle)[3], const unsigned char *ink, int nink,
+                   const colour *colour);
+// The last solid moved by the view's factor times `move`, coloured by value [nvertex]. It is seen
+// where this place is shown.
+status scene_moved(scene *s, scene_place at, int nvertex, const double (*move)[3],
+                   const double *value, const char *name);
+
 // Words under the view; of those that belong to an option only where it is chosen itself.
 status scene_words(scene *s, scene_place at, const char *words);
 // A line of the key: what a colour means; `layer` must be on.

@@ -1,5 +1,5 @@
 // reports/scripts.h
-// The page's scripts, inside the program (cmake/scripts.cmake).
+// The page's scripts and how to cite it, inside the program (cmake/scripts.cmake).
 #pragma once
 
 typedef struct script {
@@ -7,5 +7,6 @@ typedef struct script {
     unsigned char sha256[32];
 } script;
 
-extern const script script_three; // three.js
-extern const script script_view;  // reports/view.js
+extern const script script_three;    // three.js, packed by gzip; sha256: unpacked
+extern const script script_view;     // reports/view*.js, joined
+extern const script script_citation; // CITATION.cff

@@ -7,11 +7,7 @@
 #include <math.h>
 #include <string.h>
 
-enum {
-    WANTED_AROUND = 64, // facets around the section, so that a circle looks round on paper
-    WANTED_ALONG = 56,  // and along it, so that the colour changes smoothly
-    MAX_CUTS = 16,      // of one element
-};
+enum { MAX_CUTS = 16 }; // of one element
 
 static int cuts_for(int wanted, double part)
 {
@@ -27,14 +23,14 @@ static int cuts_of_edge(const surface_maker *m, const plane_edge *edge, int orde
     const double *a = m->body->plane.xyz + 3 * (size_t)edge->node[0];
     const double *b = m->body->plane.xyz + 3 * (size_t)edge->node[order];
     const double around = 2 * acos(-1.0) * m->radius;
-    return cuts_for(WANTED_AROUND, around > 0 ? hypot(b[0] - a[0], b[1] - a[1]) / around : 0);
+    return cuts_for(m->wanted_around, around > 0 ? hypot(b[0] - a[0], b[1] - a[1]) / around : 0);
 }
 
 static int cuts_of_layer(const surface_maker *m, int layer)
 {
     const segment_body *b = m->body;
     const double height = b->level[(layer + 1) * b->order] - b->level[layer * b->order];
-    return cuts_for(WANTED_ALONG, height / (b->level[b->nlevel - 1] - b->level[0]));
+    return cuts_for(m->wanted_along, height / (b->level[b->nlevel - 1] - b->level[0]));
 }
 
 static status add_side(surface_maker *m, const element *side, const plane_edge *edge, int layer,
@@ -48,6 +44,8 @@ static status add_side(surface_maker *m, const element *side, const plane_edge *
     surface_point grid[MAX_CUTS + 1][MAX_CUTS + 1];
     const surface_nodes at = {side->nnode, edge->node, apart};
 
+    m->material = edge->material;
+    m->part = 0;
     TRY(element_make(SHAPE_LINE, p, &line));
     for (int i = 0; i < side->nnode && m->ncopy > 0; i++) {
         apart[i] = surface_copy_of(m, edge->node[i], edge->material);
@@ -159,17 +157,23 @@ static int cap_cuts(const surface_maker *m)
     // an element's size from the mean area
     const double side = m->radius * sqrt(acos(-1.0) / mesh_element_count(&m->body->plane));
     const double around = 2 * acos(-1.0) * m->radius;
-    return cuts_for(WANTED_AROUND, around > 0 ? side / around : 0);
+    return cuts_for(m->wanted_around, around > 0 ? side / around : 0);
 }
 
 // element e counts through all blocks
 static bool is_there(const segment_body *b, int layer, int e)
 {
-    if (layer >= b->nlayer) {
+    if (layer < 0 || layer >= b->nlayer) {
         return false;
     }
     return !b->matter ||
            b->matter[(size_t)layer * (size_t)mesh_element_count(&b->plane) + (size_t)e] >= 0;
+}
+
+static int material_of(const segment_body *b, int layer, int e, int in_mesh)
+{
+    return b->matter ? b->matter[(size_t)layer * (size_t)mesh_element_count(&b->plane) + (size_t)e]
+                     : in_mesh;
 }
 
 static status add_caps(surface_maker *m, int layer)
@@ -177,6 +181,7 @@ static status add_caps(surface_maker *m, int layer)
     status st = OK;
     const segment_body *body = m->body;
     element e;
+    m->part = 1;
     for (int b = 0, count = 0; b < body->plane.nblock; b++) {
         const mesh_block *k = &body->plane.block[b];
         TRY(element_make(k->shape, body->plane.order, &e));
@@ -184,8 +189,15 @@ static status add_caps(surface_maker *m, int layer)
             const size_t first = (size_t)i * (size_t)k->per_elem;
             const surface_nodes at = {e.nnode, k->conn + first,
                                       m->ncopy > 0 ? body->apart.block[b].conn + first : NULL};
-            if (is_there(body, layer, count) && !is_there(body, layer + 1, count)) {
+            if (!is_there(body, layer, count)) {
+                continue;
+            }
+            m->material = material_of(body, layer, count, k->material[i]);
+            if (!is_there(body, layer + 1, count)) {
                 TRY(add_cap_element(m, &e, &at, (layer + 1) * body->order, cap_cuts(m)));
+            }
+            if (m->below && !is_there(body, layer - 1, count)) {
+                TRY(add_cap_element(m, &e, &at, layer * body->order, cap_cuts(m)));
             }
         }
     }

@@ -54,15 +54,18 @@ surface_point surface_point_of(const surface_maker *m, const surface_nodes *at, 
             }
         }
     }
-    const vec3 move = {{u[0], u[1], u[2]}};
-    return (surface_point){vec3_add((vec3){{x[0], x[1], x[2]}}, vec3_scale(m->magnify, move)),
-                           value_of(m, u, stress)};
+    const vec3 rest = {{x[0], x[1], x[2]}}, move = {{u[0], u[1], u[2]}};
+    return (surface_point){vec3_add_scaled(rest, m->magnify, move), value_of(m, u, stress), rest,
+                           move};
 }
 
 // corners counter-clockwise as seen from outside
 status surface_add_facet(surface_maker *m, int n, const surface_point *const *corner, bool border)
 {
     status st = OK;
+    if (m->take) {
+        return m->take(m, n, corner);
+    }
     const vec3 normal = vec3_cross(vec3_sub(corner[n / 2]->at, corner[0]->at),
                                    vec3_sub(corner[n - 1]->at, corner[1]->at));
     const double size = vec3_norm(normal);
@@ -151,6 +154,15 @@ static int farthest_first(const void *a, const void *b)
     return (f->depth > g->depth) - (f->depth < g->depth);
 }
 
+double surface_radius(const segment_body *body)
+{
+    double radius = 0;
+    for (int i = 0; i < body->plane.nnode; i++) {
+        radius = fmax(radius, hypot(body->plane.xyz[3 * i], body->plane.xyz[3 * i + 1]));
+    }
+    return radius;
+}
+
 status segment_surface_make(const segment_body *body, const segment_load_result *load,
                             surface_value value, double magnify, const camera *camera,
                             segment_surface *out)
@@ -165,15 +177,15 @@ status segment_surface_make(const segment_body *body, const segment_load_result 
         .magnify = magnify,
         .camera = camera,
         .light = vec3_scale(1 / vec3_norm(light), light),
+        .wanted_around = 64,
+        .wanted_along = 56, // so that the colour changes smoothly
     };
 
     if (body->nlevel < 2 || body->first != 0 || body->last != body->nlevel || !load->displacement ||
         (value == SURFACE_MISES && !load->stress)) {
         TRY(status_fail(ERR_BUG, "segment_surface: the segment is not all here"));
     }
-    for (int i = 0; i < body->plane.nnode; i++) {
-        m.radius = fmax(m.radius, hypot(body->plane.xyz[3 * i], body->plane.xyz[3 * i + 1]));
-    }
+    m.radius = surface_radius(body);
     TRY(value == SURFACE_MISES ? find_copies(&m) : OK);
     TRY(surface_add_all(&m));
     qsort(m.out.facet, (size_t)m.out.count, sizeof *m.out.facet, farthest_first);

@@ -9,7 +9,10 @@ typedef struct surface_copy {
     int node, material, apart;
 } surface_copy;
 
-typedef struct surface_maker {
+typedef struct surface_point surface_point;
+typedef struct surface_maker surface_maker;
+
+struct surface_maker {
     const segment_body *body;
     const segment_load_result *load;
     surface_value value;
@@ -21,12 +24,19 @@ typedef struct surface_maker {
     surface_copy *copy; // [ncopy], by node and material
     int room;
     segment_surface out;
-} surface_maker;
+    int wanted_around, wanted_along; // facets, so that a circle looks round
+    int material, part;              // of the facet at hand: sides 0, faces across 1
+    bool below;                      // faces that look down too
+    // who takes the facets instead of `out`, whatever side they face; NULL: nobody
+    status (*take)(surface_maker *m, int n, const surface_point *const *corner);
+    void *taker;
+};
 
-typedef struct surface_point {
+struct surface_point {
     vec3 at; // deformed, magnified [m]
     double value;
-} surface_point;
+    vec3 rest, move; // [m]
+};
 
 // nodes of a side or of a plane element, and their copies
 typedef struct surface_nodes {
@@ -40,6 +50,8 @@ surface_point surface_point_of(const surface_maker *m, const surface_nodes *at, 
 
 // Facets that do not face the eye are left out.
 status surface_add_facet(surface_maker *m, int n, const surface_point *const *corner, bool border);
+
+double surface_radius(const segment_body *body);
 
 int surface_copy_of(const surface_maker *m, int node, int material);
 

@@ -12,7 +12,8 @@ typedef enum action {
     DROP,   // a property at its initial value
     NAME,   // an id follows: the picture's name goes in front
     COLOUR, // three percentages follow: #rrggbb is a third as long
-    PATH,   // coordinates follow: a hundredth of a point is enough
+    PATH,   // a path follows: a hundredth of a point is enough
+    PLACE,  // one coordinate follows
 } action;
 
 // cairo 1.16 writes every property of every path; none of its groups sets one of these to another
@@ -26,8 +27,8 @@ static const struct {
     {"href=\"#", NAME},
     {"rgb(", COLOUR},
     {" d=\"", PATH},
-    {" x=\"", PATH},
-    {" y=\"", PATH},
+    {" x=\"", PLACE},
+    {" y=\"", PLACE},
     {" stroke:none;fill-rule:nonzero;", DROP},
     {" stroke:none;", DROP},
     {"fill-opacity:1;", DROP},
@@ -95,34 +96,102 @@ static status write_colour(const char **at, bytes *out)
                         (unsigned)lround(part[1] * 2.55), (unsigned)lround(part[2] * 2.55));
 }
 
+// --- coordinates: to a hundredth of a point, each from the one before, nothing written that can be
+// left off. Steps are differences of rounded places, so that no rounding adds up
+
+typedef struct pen {
+    bytes *out;
+    long at[2], start[2]; // hundredths of a point: where the pen is, where the loop began
+    bool bare;            // nothing need stand between what was written and a number
+    bool point;           // the last number has a decimal point
+} pen;
+
+static status put_number(pen *p, long hundredths)
+{
+    status st = OK;
+    char text[40], *from = text;
+    (void)snprintf(text, sizeof text, "%.10g", (double)hundredths / 100);
+    const bool minus = text[0] == '-';
+    if (strncmp(text + minus, "0.", 2) == 0) {
+        from = text + 1; // 0.5 is .5
+        from[0] = minus ? '-' : from[0];
+    }
+    const bool apart = minus || p->bare || (from[0] == '.' && p->point);
+    TRY(apart ? OK : bytes_text(p->out, " "));
+    TRY(bytes_text(p->out, from));
+    p->bare = false;
+    p->point = strchr(from, '.') != NULL;
+
+done:
+    return st;
+}
+
+// the numbers of one command, pair by pair; a curve's three are all steps from where it begins
+static status put_pairs(pen *p, char command, const char **at)
+{
+    status st = OK;
+    for (int pair = 1;; pair++) {
+        long x[2];
+        for (int d = 0; d < 2; d++) {
+            char *end = NULL;
+            x[d] = lround(strtod(*at, &end) * 100);
+            if (end == *at) {
+                return OK;
+            }
+            *at = end;
+            TRY(put_number(p, command == 'M' ? x[d] : x[d] - p->at[d]));
+        }
+        if (command != 'C' || pair % 3 == 0) {
+            memcpy(p->at, x, sizeof x);
+        }
+        if (command == 'M') {
+            memcpy(p->start, x, sizeof x);
+        }
+    }
+
+done:
+    return st;
+}
+
 // cairo ends every closed path by moving to where it began
 static bool only_a_move_is_left(const char *p)
 {
     return strncmp(p, " M ", 3) == 0 && p[3 + strspn(p + 3, "0123456789.- ")] == '"';
 }
 
-// up to the closing quote
+// cairo writes M, L, C and Z, all absolute; up to the closing quote
 static status write_path(const char **at, bytes *out)
 {
     status st = OK;
     const char *p = *at;
-
+    pen pen = {.out = out};
     while (*p && *p != '"') {
-        if (isdigit((unsigned char)*p) || *p == '-') {
-            char *end = NULL, number[40];
-            const double value = round(strtod(p, &end) * 100) / 100;
-            (void)snprintf(number, sizeof number, "%.8g", value == 0 ? 0.0 : value);
-            TRY(bytes_text(out, number));
-            p = end > p ? end : p + 1;
-        } else {
-            TRY(bytes_append(out, p, 1));
-            p++;
-            if (p[-1] == 'Z' && only_a_move_is_left(p)) {
-                p += strcspn(p, "\"");
-            }
+        const char command = *p++;
+        if (command == 'M' || command == 'L' || command == 'C') {
+            TRY(bytes_text(out, command == 'M' ? "M" : command == 'L' ? "l" : "c"));
+            pen.bare = true;
+            TRY(put_pairs(&pen, command, &p));
+        } else if (command == 'Z') {
+            TRY(bytes_text(out, "z"));
+            memcpy(pen.at, pen.start, sizeof pen.at);
+            p += only_a_move_is_left(p) ? strcspn(p, "\"") : 0;
         }
     }
     *at = p;
+
+done:
+    return st;
+}
+
+// a lone coordinate
+static status write_place(const char **at, bytes *out)
+{
+    status st = OK;
+    char *end = NULL;
+    pen pen = {.out = out, .bare = true};
+    const double value = strtod(*at, &end);
+    TRY(end > *at ? put_number(&pen, lround(value * 100)) : OK);
+    *at = end;
 
 done:
     return st;
@@ -137,6 +206,8 @@ static status apply(action a, const char **at, const char *name, bytes *out)
         return write_colour(at, out);
     case PATH:
         return write_path(at, out);
+    case PLACE:
+        return write_place(at, out);
     default:
         return OK;
     }
@@ -162,7 +233,7 @@ status svg_tidy(const bytes *raw, const char *name, const char *title, bytes *ou
             at += plain;
             continue;
         }
-        if (edits[i].action == NAME || edits[i].action == PATH) {
+        if (edits[i].action != DROP && edits[i].action != COLOUR) {
             TRY(bytes_append(out, at, n));
         }
         at += n;

@@ -48,10 +48,12 @@ cmp -s "$page" "$work/again/report.html" || fail "the same result makes another 
 # the hashes of the policy are those of the scripts
 if command -v python3 >/dev/null; then
     python3 - "$page" <<'END' || fail "the policy does not let the page's scripts run"
-import base64, hashlib, json, re, sys
+import base64, gzip, hashlib, json, re, sys
 page = open(sys.argv[1], encoding='utf-8').read()
 scripts = re.findall(r'<script>(.*?)</script>', page, re.S)
 hashes = re.findall(r"'sha256-([^']*)'", page)
+packed = re.search(r'<script type="application/gzip" id="three">(.*?)</script>', page, re.S)[1]
+scripts.insert(0, gzip.decompress(base64.b64decode(packed)).decode())
 made = [base64.b64encode(hashlib.sha256(s.encode()).digest()).decode() for s in scripts]
 scene = json.loads(re.search(r'<script type="application/json"[^>]*>(.*?)</script>', page, re.S)[1])
 assert made == hashes and len(made) == 2
@@ -67,12 +69,12 @@ if ! command -v chromium >/dev/null; then
     exit
 fi
 
-# browse FILE [OPTION...]: the page as it stands after three seconds of its own time, and what it told the console
+# browse FILE [OPTION...]: the page, all of it in sight, as it stands after three seconds of its own time, and what it told the console
 browse() {
     file=$1
     shift
     timeout 100 chromium --headless --no-sandbox --disable-gpu --user-data-dir="$work/profile" --enable-logging=stderr --v=0 \
-        --virtual-time-budget=3000 "$@" --dump-dom "file://$file" >"$work/dom" 2>"$work/told"
+        --virtual-time-budget=3000 --window-size=1200,6000 "$@" --dump-dom "file://$file" >"$work/dom" 2>"$work/told"
     [ -s "$work/dom" ] || fail "the browser shows nothing"
 }
 drawn='--use-gl=angle --use-angle=swiftshader --enable-unsafe-swiftshader'
@@ -91,6 +93,7 @@ fi
     sed -e '/http-equiv="Content-Security-Policy"/d' -e 's,</body>,,' -e 's,</html>,,' "$page"
     cat <<'END'
 <script>
+setTimeout(() => {
     const choose = (select, value) => { select.value = value; select.dispatchEvent(new Event("change")); };
     const selects = document.querySelectorAll("figure.view select"), boxes = document.querySelectorAll("figure.view input[type=checkbox]");
     const told = () => document.querySelector("figure.view .words").textContent;
@@ -102,6 +105,7 @@ fi
     ["ArrowLeft", "ArrowUp", "+", "-", "0"].forEach((key) => stage.dispatchEvent(new KeyboardEvent("keydown", {key: key, cancelable: true})));
     document.body.dataset.told = log.join("|");
     document.body.dataset.tags = document.querySelectorAll("figure.view b").length;
+}, 1500);
 </script></body></html>
 END
 } >"$work/tried.html"

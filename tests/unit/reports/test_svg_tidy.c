@@ -13,17 +13,19 @@ static const char raw_svg[] =
     "<path style=\" stroke:none;fill-rule:nonzero;fill:rgb(100%,50.196078%,0%);fill-opacity:1;\" "
     "d=\"M 1 2 L 3.996 4\"/>"
     "<path style=\"fill:none;stroke:rgb(0%,0%,100%);stroke-opacity:0.5;\" d=\"M 1 2 Z M 5 6 L 7 "
-    "8\"/></g></svg>\n";
+    "8\"/>"
+    // a curve's steps are from where it begins, and after Z the pen is where the loop began
+    "<path d=\"M 1 2 C 1 2.5 1.5 3 -0.25 1 L -0.5 2 Z L 0 2.333\"/></g></svg>\n";
 
 static const char wanted_svg[] =
     "<?xml version=\"1.0\"?>\n<svg role=\"img\" width=\"10px\" viewBox=\"0 0 10 10\">\n<title>a "
     "&amp; b</title>\n"
-    "<g><symbol id=\"rods-glyph0-1\"><path style=\"stroke:none;\" d=\"M 0.5 1.77 Z\"/>"
+    "<g><symbol id=\"rods-glyph0-1\"><path style=\"stroke:none;\" d=\"M.5 1.77z\"/>"
     "</symbol></g>\n<g id=\"rods-surface\" clip-path=\"url(#rods-clip1)\">"
     "<use xlink:href=\"#rods-glyph0-1\" x=\"15.89\" y=\"-40\"/>"
-    "<path style=\"fill:#ff8000;\" d=\"M 1 2 L 4 4\"/>"
-    "<path style=\"fill:none;stroke:#0000ff;stroke-opacity:0.5;\" d=\"M 1 2 Z M 5 6 L 7 "
-    "8\"/></g></svg>\n";
+    "<path style=\"fill:#ff8000;\" d=\"M1 2l3 2\"/>"
+    "<path style=\"fill:none;stroke:#0000ff;stroke-opacity:0.5;\" d=\"M1 2zM5 6l2 2\"/>"
+    "<path d=\"M1 2c0 .5.5 1-1.25-1l-.25 1zl-1 .33\"/></g></svg>\n";
 
 static void ids_get_a_name_and_defaults_go(void)
 {
