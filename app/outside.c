@@ -19,6 +19,7 @@ enum { POLL_MS = 2, MOST_ARGUMENTS = 15 };
 bool outside_find(const outside_program *p, char *path, size_t size)
 {
     const char *places = getenv("PATH");
+    places = places ? places : "/usr/local/bin:/usr/bin:/bin";
     while (places && *places) {
         const size_t length = strcspn(places, ":");
         const int written = snprintf(path, size, "%.*s/%s", (int)length, places, p->file);

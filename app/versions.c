@@ -1,12 +1,15 @@
 // app/versions.c
 #include "app/versions.h"
 
+#include "reports/scripts.h"
+
 #include <dlfcn.h>
 #include <stdio.h>
 #include <string.h>
 
 static const char *const names[LIBRARY_COUNT] = {
-    "libyaml", "muParser", "CHOLMOD", "OpenBLAS", "cairo", "gmsh", "PETSc", "MUMPS", "HDF5",
+    "libyaml", "muParser", "CHOLMOD", "OpenBLAS", "cairo", "gmsh",   "PETSc", "MUMPS",
+    "HDF5",    "MPI",      "libpng",  "three.js", "GSL",   "Embree", "NLopt",
 };
 
 typedef void (*any_function)(void);
@@ -16,16 +19,23 @@ const char *library_name(int library)
     return names[library];
 }
 
-// a function of any library that is loaded for everybody; NULL where there is none
+// what any library that is loaded for everybody has under that name; NULL where there is none
+static void *find_symbol(const char *symbol)
+{
+    void *found = NULL;
+    void *program = dlopen(NULL, RTLD_LAZY);
+    if (program) {
+        found = dlsym(program, symbol);
+        (void)dlclose(program);
+    }
+    return found;
+}
+
 static any_function find_function(const char *symbol)
 {
     any_function function = NULL;
-    void *program = dlopen(NULL, RTLD_LAZY);
-    if (program) {
-        void *found = dlsym(program, symbol);
-        memcpy(&function, &found, sizeof function);
-        (void)dlclose(program);
-    }
+    void *found = find_symbol(symbol);
+    memcpy(&function, &found, sizeof function);
     return function;
 }
 
@@ -77,6 +87,64 @@ static bool blas_version(char *text, size_t size)
     return true;
 }
 
+// "Open MPI v4.1.4, package: ..."
+static bool mpi_version(char *text, size_t size)
+{
+    enum { LONGEST = 8192 }; // of all MPIs there are
+    char words[LONGEST] = "";
+    int length = 0;
+    const any_function function = find_function("MPI_Get_library_version");
+    if (function) {
+        (void)((int (*)(char *, int *))function)(words, &length);
+        words[strcspn(words, ",\n")] = '\0';
+        (void)snprintf(text, size, "%s", words);
+    }
+    return function != NULL;
+}
+
+static bool png_version(char *text, size_t size)
+{
+    const any_function function = find_function("png_get_libpng_ver");
+    if (function) {
+        (void)snprintf(text, size, "%s", ((const char *(*)(const void *))function)(NULL));
+    }
+    return function != NULL;
+}
+
+// its REVISION stands in its text
+static bool three_version(char *text, size_t size)
+{
+    static const char before[] = "REVISION=\"";
+    const size_t n = sizeof before - 1;
+    for (const char *p = script_three.text; p + n < script_three.end; p++) {
+        if (memcmp(p, before, n) == 0) {
+            (void)snprintf(text, size, "r%.*s", (int)strcspn(p + n, "\""), p + n);
+            return true;
+        }
+    }
+    return false;
+}
+
+static bool gsl_loaded_version(char *text, size_t size)
+{
+    const char *const *version = find_symbol("gsl_version");
+    if (version) {
+        (void)snprintf(text, size, "%s", *version);
+    }
+    return version != NULL;
+}
+
+static bool nlopt_loaded_version(char *text, size_t size)
+{
+    const any_function function = find_function("nlopt_version");
+    int v[3] = {0};
+    if (function) {
+        ((void (*)(int *, int *, int *))function)(&v[0], &v[1], &v[2]);
+        (void)snprintf(text, size, "%d.%d.%d", v[0], v[1], v[2]);
+    }
+    return function != NULL;
+}
+
 static bool petsc_version(char *text, size_t size)
 {
     const any_function function = find_function("PetscGetVersionNumber");
@@ -100,7 +168,7 @@ static bool hdf5_version(char *text, size_t size)
 }
 
 // the version in the file name of a library that has no function for it: libgmsh.so.4.8.4,
-// libdmumps-5.5.so
+// libembree3.so.3.13.5, libdmumps-5.5.so
 static bool file_version(const char *prefix, char *text, size_t size)
 {
     char line[1024];
@@ -110,7 +178,9 @@ static bool file_version(const char *prefix, char *text, size_t size)
         const char *name = strrchr(line, '/');
         found = name && strncmp(name + 1, prefix, strlen(prefix)) == 0;
         if (found) {
-            const char *digits = name + 1 + strcspn(name + 1, "0123456789");
+            const char *behind = strstr(name, ".so.");
+            const char *digits = behind ? behind : name;
+            digits += strcspn(digits, "0123456789");
             size_t length = strspn(digits, "0123456789.");
             length -= length > 0 && digits[length - 1] == '.';
             (void)snprintf(text, size, "%.*s", (int)length, digits);
@@ -143,6 +213,18 @@ bool library_version(int library, char *text, size_t size)
         return file_version("libdmumps", text, size);
     case LIBRARY_HDF5:
         return hdf5_version(text, size);
+    case LIBRARY_MPI:
+        return mpi_version(text, size);
+    case LIBRARY_PNG:
+        return png_version(text, size);
+    case LIBRARY_THREE:
+        return three_version(text, size);
+    case LIBRARY_GSL:
+        return gsl_loaded_version(text, size);
+    case LIBRARY_EMBREE:
+        return file_version("libembree", text, size);
+    case LIBRARY_NLOPT:
+        return nlopt_loaded_version(text, size);
     default:
         return false;
     }

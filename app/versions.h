@@ -16,6 +16,12 @@ typedef enum library {
     LIBRARY_PETSC,
     LIBRARY_MUMPS,
     LIBRARY_HDF5,
+    LIBRARY_MPI,
+    LIBRARY_PNG,
+    LIBRARY_THREE,
+    LIBRARY_GSL,
+    LIBRARY_EMBREE,
+    LIBRARY_NLOPT,
     LIBRARY_COUNT
 } library;
 
