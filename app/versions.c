@@ -111,20 +111,6 @@ static bool png_version(char *text, size_t size)
     return function != NULL;
 }
 
-// its REVISION stands in its text
-static bool three_version(char *text, size_t size)
-{
-    static const char before[] = "REVISION=\"";
-    const size_t n = sizeof before - 1;
-    for (const char *p = script_three.text; p + n < script_three.end; p++) {
-        if (memcmp(p, before, n) == 0) {
-            (void)snprintf(text, size, "r%.*s", (int)strcspn(p + n, "\""), p + n);
-            return true;
-        }
-    }
-    return false;
-}
-
 static bool gsl_loaded_version(char *text, size_t size)
 {
     const char *const *version = find_symbol("gsl_version");
@@ -218,7 +204,8 @@ bool library_version(int library, char *text, size_t size)
     case LIBRARY_PNG:
         return png_version(text, size);
     case LIBRARY_THREE:
-        return three_version(text, size);
+        (void)snprintf(text, size, "r%s", three_revision);
+        return true;
     case LIBRARY_GSL:
         return gsl_loaded_version(text, size);
     case LIBRARY_EMBREE:

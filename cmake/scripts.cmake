@@ -26,6 +26,8 @@ if(CMAKE_SCRIPT_MODE_FILE)
         endif()
         # three.js is packed; its hash stays that of what comes out of it
         if(name STREQUAL "three")
+            string(REGEX MATCH "REVISION ?= ?[\"']([0-9]+)" revision "${text}")
+            string(APPEND source "const char three_revision[] = \"${CMAKE_MATCH_1}\";\n")
             execute_process(COMMAND ${GZIP} -9nc ${file} OUTPUT_FILE ${OUT}.three.gz COMMAND_ERROR_IS_FATAL ANY)
             set(file ${OUT}.three.gz)
         endif()

@@ -10,3 +10,4 @@ typedef struct script {
 extern const script script_three;    // three.js, packed by gzip; sha256: unpacked
 extern const script script_view;     // reports/view*.js, joined
 extern const script script_citation; // CITATION.cff
+extern const char three_revision[];  // "111"

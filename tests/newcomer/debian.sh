@@ -1,0 +1,57 @@
+#!/bin/sh
+# The Debian packages: built here from the committed tree, looked at by lintian where it is there, and installed and used in an
+# empty Debian 12. Needs root and mmdebstrap; for the build what debian/control names (apt-get build-dep ./).
+# usage: debian.sh [--root DIR] [--out DIR]      (--out: where the packages are left)
+set -eu
+source=$(CDPATH='' cd -- "$(dirname -- "$0")/../.." && pwd)
+root=
+out=
+while [ $# -gt 0 ]; do
+    case $1 in
+    --root) root=$2 ;;
+    --out) out=$2 ;;
+    *) exit 2 ;;
+    esac
+    shift 2
+done
+. "$source/tests/newcomer/root"
+make_root
+build=$(mktemp -d "$root/var/tmp/stiffaxis-XXXXXX") # goes with the root
+
+start=$(now)
+mkdir "$build/stiffaxis"
+git -C "$source" archive HEAD | tar -x -C "$build/stiffaxis"
+(cd "$build/stiffaxis" && dpkg-buildpackage -us -uc -b) >"$build/log" 2>&1 || {
+    tail -n 30 "$build/log" >&2
+    say 'the packages were not built'
+    exit 1
+}
+say "built in $(($(now) - start)) s: $(cd "$build" && echo *.deb)"
+if command -v lintian >/dev/null 2>&1; then
+    lintian --allow-root --fail-on error,warning "$build"/*.changes
+    say 'lintian has nothing to say against them'
+fi
+if [ -n "$out" ]; then
+    mkdir -p "$out"
+    cp "$build"/*.deb "$out"
+fi
+
+start=$(now)
+rm -rf "$root/root/packages"
+mkdir "$root/root/packages"
+cp "$build"/*.deb "$root/root/packages"
+rm -f "$root"/root/packages/*-dbgsym_*
+inside sh -c 'apt-get update -qq && DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends \
+    /root/packages/*.deb' >"$root/root/install.log" 2>&1 || {
+    tail -n 20 "$root/root/install.log" >&2
+    say 'the packages were not installed'
+    exit 1
+}
+say "installed in $(($(now) - start)) s"
+inside stiffaxis doctor
+inside sh -c 'cd /root && stiffaxis example constant_nc >case.yaml && stiffaxis run case.yaml --out results --force --quiet' | tail -n 1
+inside python3 -c '
+import stiffaxis
+case = stiffaxis.Case("/root/case.yaml")
+print("python3-stiffaxis", stiffaxis.__version__, "reads", case.title)'
+inside sh -c 'dpkg -V stiffaxis libstiffaxis0 libstiffaxis-rod0 python3-stiffaxis'
