@@ -83,7 +83,7 @@ static status materials(over *o)
     plane_loops loops = {0};
     TRY(plane_edges_make(&o->s->r->section_mesh, &edges));
     for (int m = 0; m < o->s->r->nmaterial && edges.count < MOST_EDGES; m++) {
-        char words[240];
+        char words[280];
         plane_loops_free(&loops);
         TRY(plane_loops_make(&edges, m, &loops));
         if (loops.nloop == 0) {
