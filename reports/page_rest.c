@@ -24,6 +24,22 @@ int compare_skipped(const run_result *r)
     return count;
 }
 
+// how much of what it may differ by a row takes
+static status band(bytes *page, const compare_row *row)
+{
+    status st = OK;
+    const double share = row->tolerance > 0 ? row->difference / row->tolerance : NAN;
+    if (isfinite(share)) {
+        PAGE("<td><span class=\"band\"><i class=\"%s\" style=\"width:%.0f%%\"></i></span></td>",
+             row->ok ? "" : "out", 100 * fmin(fmax(share, 0), 1));
+    } else {
+        PAGE("<td></td>");
+    }
+
+done:
+    return st;
+}
+
 static status compare_line(bytes *page, const compare_row *row)
 {
     status st = OK;
@@ -31,19 +47,68 @@ static status compare_line(bytes *page, const compare_row *row)
     PAGE("<tr><td class=\"text\">");
     TRY(page_escaped(page, row->what));
     if (row->skipped) {
-        PAGE("</td><td></td><td></td><td></td><td></td><td></td><td class=\"skip\">skipped</td>");
+        PAGE("</td><td></td><td></td><td></td><td></td><td></td><td></td><td "
+             "class=\"skip\">skipped</td>");
     } else {
         PAGE("</td><td>%s</td><td>%s</td><td class=\"text\">", number_digits(row->ours, 8).text,
              number_digits(row->other, 8).text);
         TRY(page_escaped(page, row->unit));
         PAGE("</td><td>%s</td><td>%s</td>", number_digits(row->difference, 2).text,
              number_digits(row->tolerance, 2).text);
+        TRY(band(page, row));
         PAGE("<td class=\"%s\">%s</td>", row->ok ? "good" : "bad",
              row->ok ? "✓ agrees" : "✗ out of tolerance");
     }
     PAGE("<td class=\"text\">");
     TRY(page_escaped(page, row->reason));
     PAGE("</td></tr>\n");
+
+done:
+    return st;
+}
+
+// rows belong to the first group whose word they begin with; the last takes the rest
+static const struct {
+    const char *word, *title;
+} groups[] = {
+    {"section:", "The section: closed forms, GetDP, 3D FEM"},
+    {"tip compliance", "The rod against 3D FEM: the tip's compliance"},
+    {"load ", "What the loads do"},
+    {"rod", "The rod in two frames, and against others"},
+    {"", "Others"},
+};
+
+static size_t group_of(const compare_row *row)
+{
+    size_t i = 0;
+    while (strncmp(row->what, groups[i].word, strlen(groups[i].word)) != 0) {
+        i++;
+    }
+    return i;
+}
+
+static status group_table(bytes *page, const run_result *r, size_t group)
+{
+    status st = OK;
+    int rows = 0;
+    for (int i = 0; i < r->ncompare; i++) {
+        if (group_of(&r->compare[i]) != group) {
+            continue;
+        }
+        if (rows++ == 0) {
+            PAGE("<div class=\"scroll\"><table>\n<caption>%s</caption>\n<thead>"
+                 "<tr><th>what</th><th>ours</th><th>other</th><th class=\"text\">unit</th>",
+                 groups[group].title);
+            PAGE("<th>difference<small>relative</small></th><th>tolerance<small>relative"
+                 "</small></th><th>of the band<small>difference over tolerance</small></th>"
+                 "<th>verdict</th><th class=\"text\">what the tolerance is made of</th></tr>"
+                 "</thead>\n<tbody>\n");
+        }
+        TRY(compare_line(page, &r->compare[i]));
+    }
+    if (rows > 0) {
+        PAGE("</tbody></table></div>\n");
+    }
 
 done:
     return st;
@@ -63,16 +128,10 @@ status page_compare(bytes *page, const run_result *r)
     if (skipped > 0) {
         PAGE(", <span class=\"skip\">%d skipped</span>", skipped);
     }
-    PAGE(".</p>\n<div "
-         "class=\"scroll\"><table>\n<thead><tr><th>what</th><th>ours</th><th>other</th><th "
-         "class=\"text\">unit</th><th>difference<small>relative</small></"
-         "th><th>tolerance<small>relative"
-         "</small></th><th>verdict</th><th class=\"text\">what the tolerance is made "
-         "of</th></tr></thead>\n<tbody>\n");
-    for (int i = 0; i < r->ncompare; i++) {
-        TRY(compare_line(page, &r->compare[i]));
+    PAGE(".</p>\n");
+    for (size_t i = 0; i < sizeof groups / sizeof *groups; i++) {
+        TRY(group_table(page, r, i));
     }
-    PAGE("</tbody></table></div>\n");
 
 done:
     return st;

@@ -82,6 +82,9 @@ static const char *const style[] = {
     "4px}\n"
     ".view .words{margin:8px;min-height:3.2em}.view[data-state=live] .still{display:none}"
     ".view .label[hidden],.view .controls [hidden]{display:none}\n",
+    ".band{display:inline-block;width:6em;height:.7em;border:1px solid var(--soft);border-radius:"
+    "2px}.band i{display:block;height:100%;background:var(--good)}.band .out{background:var(--bad)}"
+    "@media print{.band,.band i{print-color-adjust:exact}}\n",
     ".over{fill:none;stroke:none;pointer-events:all;cursor:help;outline:none}.over "
     "text{visibility:hidden;fill:#20262f;font:600 12px "
     "system-ui,'DejaVu Sans',sans-serif}.over:hover text,.over:focus text{visibility:visible}"

@@ -1,5 +1,5 @@
 // reports/scene.h
-// A scene for the page's view in space (reports/view.js): surfaces, bodies, lines and points in
+// A scene for the page's view in space (reports/view*.js): surfaces, bodies, lines and points in
 // layers that are switched on and off, and choices of which only one option is shown. Lengths in m;
 // coordinates are kept in 65535 steps of the scene's box.
 #pragma once

@@ -123,6 +123,7 @@ View.prototype.drawNow = function () {
             ((1 - p.y) / 2 * h - 9).toFixed(1) + "px)";
     });
     this.figure.dataset.state = "live";
+    this.figure.dataset.drawn = this.figure.dataset.drawn || performance.now().toFixed(0);
 };
 
 // the page can be read before: a view is made when it comes near what is seen
@@ -133,6 +134,9 @@ function begin(figure) {
         figure.dataset.state = "still";
     }
 }
+
+// told to whoever asks how quickly: milliseconds from asking for the page to having it, and to each view
+document.documentElement.dataset.ready = performance.now().toFixed(0);
 
 const figures = document.querySelectorAll("figure.view");
 

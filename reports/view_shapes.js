@@ -279,6 +279,7 @@ Solid.prototype.move = function (factor) {
     this.geometry.setAttribute("position", new THREE.BufferAttribute(place, 3));
     this.geometry.computeVertexNormals();
     this.geometry.computeBoundingSphere();
+    this.geometry.computeBoundingBox();
 };
 
 Solid.prototype.paint = function (byValue) {

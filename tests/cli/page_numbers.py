@@ -1,0 +1,313 @@
+"""Holds every number of a page's tables, headline and views against the JSON document of the same run, to the digits that
+the page prints.  page_numbers.py report.html run.json"""
+import json
+import math
+import re
+import sys
+from html.parser import HTMLParser
+
+NUMBER = re.compile(r'-?\d+(?:\.\d+)?(?:×10[⁻⁰¹²³⁴-⁹]+)?')
+RAISED = str.maketrans('⁻⁰¹²³⁴⁵⁶⁷⁸⁹', '-0123456789')
+checked = 0
+wrong = []
+
+
+class Page(HTMLParser):
+    """tables: (caption, header, rows of cells); key: name -> value of the headline; words: of the views"""
+
+    def __init__(self):
+        super().__init__()
+        self.tables, self.key, self.scenes, self.text = [], [], [], ''
+        self.row, self.scene, self.small = [], False, False
+
+    def handle_starttag(self, tag, attrs):
+        self.scene = tag == 'script' and ('type', 'application/json') in attrs
+        if tag == 'table':
+            self.tables.append(['', [], []])
+        if tag == 'tr':
+            self.row = []
+        if tag in ('td', 'th', 'caption', 'dt', 'dd', 'script'):
+            self.text = ''
+        if tag == 'small':
+            self.text += '|'
+
+    def handle_data(self, data):
+        self.text += data
+
+    def handle_endtag(self, tag):
+        if tag == 'caption':
+            self.tables[-1][0] = self.text
+        elif tag in ('td', 'th'):
+            self.row.append(self.text.strip())
+        elif tag == 'thead':
+            self.tables[-1][1] = self.row
+        elif tag == 'tr' and self.tables[-1][1]:
+            self.tables[-1][2].append(self.row)
+        elif tag in ('dt', 'dd'):
+            self.key.append(self.text.strip())
+        elif tag == 'script' and self.scene:
+            self.scenes.append(json.loads(self.text))
+
+
+def numbers(text):
+    """(value, half of the last digit) of each number in a cell"""
+    found = []
+    for word in NUMBER.findall(text.replace('−', '-')):
+        digits, _, power = word.partition('×10')
+        power = int(power.translate(RAISED)) if power else 0
+        decimals = len(digits.partition('.')[2])
+        found.append((float(digits) * 10.0 ** power, 0.5 * 10.0 ** (power - decimals)))
+    return found
+
+
+def same(where, text, *values):
+    """the cell's numbers are these values, and no others"""
+    global checked
+    values = [v for v in values if v is not None]
+    found = numbers(text)
+    good = len(found) == len(values)
+    for (shown, half), value in zip(found, values):
+        good = good and abs(shown - value) <= half * (1 + 1e-6) + 1e-12 * abs(value)
+        checked += 1
+    if not good:
+        wrong.append(f'{where}: the page says {text!r}, JSON {values}')
+
+
+def degrees(x):
+    return None if x is None else math.degrees(x)
+
+
+def times(factor, x):
+    return None if x is None else factor * x
+
+
+def points(factor, p):
+    return [factor * x for x in p]
+
+
+# --- one function per table, by words of its caption or head
+
+def sections(table, run):
+    all_of = run['section']['stations']
+    shown = len(table[2])
+    for i, row in enumerate(table[2]):
+        s = all_of[i * (len(all_of) - 1) // (shown - 1) if shown > 1 else 0]
+        angle = [] if s['isotropic'] else [degrees(s['principal_angle_rad'])]
+        wanted = [[1e3 * s['s_m']], [s['EA_N']], points(1e3, s['stiffness_centre_m']), angle, [1e6 * s['EI_Nm2'][0]],
+                  [1e6 * s['EI_Nm2'][1]], [1e6 * s['GJ_Nm2']], points(1e3, s['shear_centre_m']), [1e6 * s['area_m2']],
+                  [s['relative_error']]]
+        for name, cell, values in zip(table[1], row, wanted, strict=True):
+            same(f'section {i}, {name}', cell, *values)
+
+
+def stiffness(table, run):
+    for i, row in enumerate(table[2]):
+        for j, cell in enumerate(row[1:]):
+            unit = (1e3 if i > 2 else 1) * (1e3 if j > 2 else 1)
+            same(f'K[{i}][{j}]', cell, unit * run['section']['stations'][0]['K'][i][j])
+
+
+def more_of_section(table, run):
+    s = run['section']['stations'][0]
+    known = {
+        'shear stiffness along x″': [s['shear_stiffness_N'][0]],
+        'shear stiffness along y″': [s['shear_stiffness_N'][1]],
+        'x″ turned': [degrees(s['shear_angle_rad'])],
+        'turning rate of the pattern': [s['turn_rate_rad_per_m']],
+        'centre of the area': points(1e3, s.get('geometric_centre_m') or []),
+        'mass per length': [times(1e3, s.get('mass_kg_per_m'))],
+        'mass centre': points(1e3, s.get('mass_centre_m') or []),
+        'warping constant E Iω': [times(1e12, s.get('EI_warping_Nm4'))],
+    }
+    for row in table[2]:
+        same(row[0], row[1], *known[row[0]])
+
+
+def rods(table, run):
+    rod = run['rod']
+    names = [t['name'] for t in rod['tendons']] if isinstance(rod['tendons'][0], dict) else rod['tendons']
+    for row in table[2]:
+        number = int(numbers(row[0])[0][0])
+        s = rod['solutions'][number - 1]
+        for name, cell in zip(table[1][1:], row[1:], strict=True):
+            name, _, unit = name.partition('|')
+            if unit == 'N':
+                k = names.index(name)
+                pull = times(1e3, s['pulls_m'][k])
+                same(f'rod {number}, {name}', cell, *([pull] if 'slack' in cell else [s['tensions_N'][k], pull]))
+            elif unit == 'factor':
+                same(f'rod {number}, {name}', cell,
+                     s['load_factors'][[x['name'] for x in rod['loads']].index(name)])
+            elif name == 'tip':
+                same(f'rod {number}, tip', cell, *points(1e3, s['tip_position_m']))
+            elif name == 'bend':
+                same(f'rod {number}, bend', cell, degrees(s['total_bend_rad']))
+            elif name.startswith('length of '):
+                same(f'rod {number}, {name}', cell, 1e3 * s['tendon_length_m'][names.index(name[10:])])
+            elif name == 'largest strain':
+                same(f'rod {number}, strain', cell, 100 * s['largest_strain'])
+            else:
+                assert name == 'rel. error', name
+                same(f'rod {number}, error', cell, s['relative_error'])
+
+
+def equilibria(table, run):
+    for row in table[2]:
+        s = run['rod']['solutions'][int(row[0]) - 1]
+        wanted = [[] if row[1] == 'all' else [s['fraction']], [], [s['eigenvalue']], None, [times(1e6, s['energy_J'])],
+                  [times(1e6, s['work_J'])], [s['energy_misfit']], [s['residual']], [s['iterations']]]
+        for name, cell, values in zip(table[1][1:], row[1:], wanted, strict=True):
+            if values is not None:
+                same(f'equilibrium {row[0]}, {name}', cell, *values)
+        for critical in s['critical_points'][:4]:
+            same('critical', row[4].split('at ')[-1], critical['fraction']) if len(s['critical_points']) == 1 else None
+
+
+def strains(table, run):
+    for row in table[2]:
+        solution = run['rod']['solutions'][int(row[3]) - 1]
+        m = [m for m in solution['materials'] if m['name'] == row[0]][0]
+        limit = m['linear_strain']
+        same(f'strain of {row[0]}', row[1], 100 * m['largest_strain'])
+        same(f'linear strain of {row[0]}', row[2], *([100 * limit] if limit else []))
+        same(f'strain of {row[0]} at s', row[4], 1e3 * m['s_m'])
+        same(f'strain of {row[0]} at', row[5], *points(1e3, m['at_m']))
+
+
+def with_error(value, error):
+    return [value] + ([error] if error else [])
+
+
+def loads(table, run):
+    fem = run['fem']
+    for row, l in zip(table[2], fem['loads'], strict=True):
+        row = [cell.split('|paper')[0] for cell in row]
+        w, u = l['tip_rotation_rad'], l['tip_displacement_m']
+        length = fem['length_m']
+        wanted = [points(1e3, l['point_m']),
+                  with_error(1e3 * l['shortening_m'], times(1e3, l['shortening_error_m'])) +
+                  [100 * l['shortening_m'] / length],
+                  with_error(-1e3 * u[2], times(1e3, l['tip_displacement_error_m'])),
+                  with_error(math.degrees(math.hypot(w[0], w[1])), degrees(l['tip_rotation_error_rad'])),
+                  [math.degrees(w[2])],
+                  l['mid_curvature_per_m'] + with_error(0, l['mid_curvature_error_per_m'])[1:],
+                  with_error(1e6 * l['strain_energy_J'], times(1e6, l['strain_energy_error_J']))]
+        for name, cell, values in zip(table[1][1:], row[1:], wanted, strict=True):
+            same(f'load {row[0]}, {name}', cell, *values)
+
+
+def ends(table, run):
+    for name, cell, value in zip(table[1], table[2][0], run['fem']['end_length_m'], strict=True):
+        same(f'ends, {name}', cell, times(1e3, value))
+
+
+def compare(table, run):
+    rows = {r['what']: r for r in run['compare']['rows']}
+    for row in table[2]:
+        r = rows.pop(row[0])
+        if r['skipped']:
+            assert 'skipped' in row, row
+            continue
+        for cell, key in zip(row[1:3] + row[4:6], ('ours', 'other', 'difference_relative', 'tolerance_relative')):
+            same(f'{row[0]}, {key}', cell, r[key])
+        if ('agrees' in row[7]) != r['ok']:
+            wrong.append(f'{row[0]}: verdict {row[7]}')
+
+
+AXES = ['nx', 'ny', 'nz', 'mx', 'my', 'mz']
+
+
+def models(table, run):
+    m = run['compare']['models']
+    C = m['compliance_3d']
+    for row in table[2]:
+        words = row[0].split()
+        if words[0] in AXES and len(words) == 2:
+            i, j = AXES.index(words[0]), AXES.index(words[1])
+            unit = (1e3 if i < 3 else 1) * (1 if j < 3 else 1e-3)
+            same(f'models, {row[0]}', row[1], unit * C[i][j])
+            for a, cell in zip(m['assumptions'], row[2:], strict=True):
+                if cell:
+                    same(f'models, {row[0]}', cell, (a['compliance'][i][j] - C[i][j]) / math.sqrt(C[i][i] * C[j][j]))
+        else:
+            key = 'law_error' if 'law' in row[0] else 'error'
+            for a, cell in zip(m['assumptions'], row[2:], strict=True):
+                if cell:
+                    same(f'models, {row[0]}', cell, a[key])
+
+
+def paper(table, run):
+    for row, s in zip(table[2], run['compare']['measured']['shapes'], strict=True):
+        p = s['paper']
+        same(f'{row[0]}, tip error', row[-2], 1e3 * p['tip_error_m'], 100 * p['tip_error_of_length'])
+        same(f'{row[0]}, shape error', row[-1], 100 * p['shape_error'])
+
+
+TABLES = [('Sections along', sections), ('Rows: wrench', stiffness), ('More of the section', more_of_section),
+          ('One row for each', rods), ('Each solution as', equilibria), ('The largest principal', strains),
+          ('What each load does', loads), ('What the layers', ends), ('The model against the paper', paper)]
+HEADS = [('what', compare), ('entry', models), ('material', None)]  # materials are the case's, no answers
+
+
+def headline(key, run):
+    s = run['section']['stations'][0] if 'section' in run else None
+    for name, cell in zip(key[::2], key[1::2], strict=True):
+        if name.startswith('Stiffness centre off'):
+            same(name, cell, 1e3 * math.hypot(*s['stiffness_centre_m']))
+        elif name == 'Axial stiffness EA':
+            same(name, cell, s['EA_N'])
+        elif name.startswith('Torsional'):
+            same(name, cell.split('|')[0], 1e6 * s['GJ_Nm2'])
+        elif name.startswith('Largest bend'):
+            same(name, cell, degrees(max(x['total_bend_rad'] for x in run['rod']['solutions'])))
+        elif name.startswith("Segment's tip angle: "):
+            load = [l for l in run['fem']['loads'] if l['name'] == name[21:]][0]
+            same(name, cell, math.degrees(math.hypot(*load['tip_rotation_rad'][:2])))
+        elif name == 'Comparisons':
+            if ('all agree' in cell) != run['compare']['ok']:
+                wrong.append('headline: ' + cell)
+        else:
+            wrong.append('headline that no document has: ' + name)
+
+
+def words(scene, run):
+    """what a view says of what is chosen"""
+    for text in [i['words'] for i in scene['items'] if i['kind'] == 'words']:
+        rod = re.match(r'Solution (\d+): .* Tip at \((.*)\) mm, bend (.*) deg, largest strain (.*?) %', text)
+        load = re.match(r'(.*): acts at \((.*)\) mm. Shortening (.*) mm, tip angle (.*) deg, tip twist (.*) deg, mid '
+                        r'curvature \((.*)\) 1/m; largest', text)
+        if rod:
+            s = run['rod']['solutions'][int(rod[1]) - 1]
+            same(text, rod[2], *points(1e3, s['tip_position_m']))
+            same(text, rod[3], degrees(s['total_bend_rad']))
+            same(text, rod[4], 100 * s['largest_strain'])
+        elif load:
+            l = [l for l in run['fem']['loads'] if l['name'] == load[1]][0]
+            same(text, load[2], *points(1e3, l['point_m']))
+            same(text, load[3], 1e3 * l['shortening_m'])
+            same(text, load[4], math.degrees(math.hypot(*l['tip_rotation_rad'][:2])))
+            same(text, load[5], math.degrees(l['tip_rotation_rad'][2]))
+            same(text, load[6], *l['mid_curvature_per_m'])
+        elif not text.startswith(('The section', 'Small holes')):
+            wrong.append('a view says what no document has: ' + text)
+
+
+def main():
+    page, run = Page(), json.load(open(sys.argv[2], encoding='utf-8'))
+    page.feed(open(sys.argv[1], encoding='utf-8').read())
+    for table in page.tables:
+        by = [f for word, f in TABLES if table[0].startswith(word)] or [f for word, f in HEADS if table[1][0] == word]
+        if not by:
+            wrong.append(f'a table that no document has: {table[0]} {table[1]}')
+        elif by[0]:
+            by[0](table, run)
+    headline(page.key, run)
+    for scene in page.scenes:
+        words(scene, run)
+    for line in wrong[:10]:
+        print(line)
+    print(f'{checked} numbers in {len(page.tables)} tables, the headline and {len(page.scenes)} views; {len(wrong)} wrong')
+    sys.exit(1 if wrong or checked < 20 else 0)
+
+
+main()
