@@ -1,17 +1,18 @@
 #!/bin/sh
-# VTK's own reader opens a result's grid: areas, volumes, orientation and fields are what they should be. Needs python3-vtk9,
-# which nothing else here does: without it the script says so and is content.
+# VTK's own reader opens a result's grid: areas, volumes, orientation and fields are what they should be, of a reach study the wall
+# and the bodies. Needs python3-vtk9 or ParaView, which nothing else here does: without them the script says so and is content. Where
+# ParaView is there (Debian's python3-paraview, which takes the place of python3-vtk9) it opens both files too, under xvfb.
 set -eu
 
 python=
-for candidate in python3 /usr/bin/python3; do
-    if "$candidate" -c 'from vtkmodules.vtkIOHDF import vtkHDFReader' 2>/dev/null; then
+for candidate in python3 /usr/bin/python3 pvpython; do
+    if echo 'from vtkmodules.vtkIOHDF import vtkHDFReader' | "$candidate" - 2>/dev/null; then
         python=$candidate
         break
     fi
 done
 if [ -z "$python" ] || [ ! -x "${STIFFAXIS:-}" ]; then
-    echo "skipped: no python3 with VTK 9.1, or no program"
+    echo "skipped: no python3 with VTK 9.1, no pvpython, or no program"
     exit 0
 fi
 work=$(mktemp -d)
@@ -102,3 +103,137 @@ for pair in mapped:12 free:13; do
     env PATH="$work/nothing" "$STIFFAXIS" run "$work/case.yaml" --set "section.mesh.kind=$kind" --out "$work/$kind" --quiet >"$work/log"
     "$python" "$work/check.py" "$work/$kind/result.hdf" "${pair#*:}" "$work/section.json"
 done
+
+# --- a reach study: a box of 40 x 40 x 50 mm, and two scopes at three targets
+
+awk 'BEGIN {
+    split("0 1 3 2  4 6 7 5  0 4 5 1  2 3 7 6  0 2 6 4  1 5 7 3", c, / +/)
+    print "solid box"
+    for (f = 0; f < 6; f++)
+        for (t = 0; t < 2; t++) {
+            split(t ? "1 3 4" : "1 2 3", k, " ")
+            print "facet normal 0 0 0\nouter loop"
+            for (i = 1; i <= 3; i++) {
+                v = c[4 * f + k[i]]
+                print "vertex", (v % 2 ? 20 : -20), (int(v / 2) % 2 ? 20 : -20), (v > 3 ? 45 : -5)
+            }
+            print "endloop\nendfacet"
+        }
+    print "endsolid box"
+}' >"$work/box.stl"
+printf 'name,x [mm],y [mm],z [mm]\nnear,0,6,25\nside,-8,0,22\nfar,19,19,-4\n' >"$work/targets.csv"
+cat >"$work/box.yaml" <<'END'
+format: 1
+reach:
+  tissue: box.stl
+  tissue_unit: mm
+  targets: targets.csv
+  entry: {point_mm: [0, 0, -8], direction: [0, 0, 1]}
+  synthetic: true
+  source: made by a test
+  map: {points: 200, seed: 3}
+  scopes:
+    - {name: long, radius_mm: 1.4, insertion_mm: [0, 60], constant_curvature: {length_mm: 20, bend_deg: [0, 180]}}
+    - {name: short, radius_mm: 1.4, insertion_mm: [0, 10], constant_curvature: {length_mm: 15, bend_deg: [0, 90]}}
+END
+cat >"$work/reach.py" <<'END'
+import json, sys
+from vtkmodules.vtkIOHDF import vtkHDFReader
+
+reader = vtkHDFReader()
+reader.SetFileName(sys.argv[1])
+reader.Update()
+grid = reader.GetOutput()
+told = json.load(open(sys.argv[2]))
+LINE, TRIANGLE = 3, 5
+part, clearance = grid.GetCellData().GetArray("part"), grid.GetPointData().GetArray("clearance_m")
+target = grid.GetPointData().GetArray("target_count")
+cells = {}
+for i in range(grid.GetNumberOfCells()):
+    cells.setdefault(int(part.GetTuple1(i)), []).append(i)
+assert sorted(cells) == list(range(1 + len(told["scopes"]))), sorted(cells)
+
+# part 0: the wall, whose area is the box's, in metres, with each scope's verdict
+assert len(cells[0]) == 12 and all(grid.GetCellType(i) == TRIANGLE for i in cells[0])
+area = sum(grid.GetCell(i).ComputeArea() for i in cells[0])
+assert abs(area / (2 * 0.04 * 0.04 + 4 * 0.04 * 0.05) - 1) < 1e-6, area  # the surface is read in single precision
+for i in range(len(told["scopes"])):
+    low, high = grid.GetPointData().GetArray("scope_%d_state" % (i + 1)).GetRange()
+    assert low in (0, 1, 2) and high in (0, 1, 2), (low, high)
+
+# the others: the bodies as lines, target after target; places and clearances to the last bit
+nbody = 0
+for i, scope in enumerate(told["scopes"]):
+    lines = iter(cells[1 + i])
+    for number, answer in enumerate(scope["answers"]):
+        body = answer["body"]
+        nbody += 1
+        for k in range(len(body["s_m"]) - 1):
+            line = next(lines)
+            assert grid.GetCellType(line) == LINE
+            for end in (0, 1):
+                at = grid.GetCell(line).GetPointId(end)
+                assert list(grid.GetPoint(at)) == body["p_m"][k + end], (scope["name"], number, k)
+                assert clearance.GetTuple1(at) == body["clearance_m"][k + end], (scope["name"], number, k)
+                assert target.GetTuple1(at) == number + 1
+    assert next(lines, None) is None, scope["name"]
+print("vtkHDFReader: a wall of %d triangles, %d bodies of %d lines" % (len(cells[0]), nbody, grid.GetNumberOfCells() - len(cells[0])))
+END
+"$STIFFAXIS" reach "$work/box.yaml" --out "$work/reach" --json --quiet >"$work/reach.json"
+"$python" "$work/reach.py" "$work/reach/result.hdf" "$work/reach.json"
+
+# --- ParaView itself
+
+if ! command -v pvpython >/dev/null; then
+    echo "ParaView skipped: no pvpython (apt-get install python3-paraview xvfb)"
+    exit 0
+fi
+cat >"$work/open_both.py" <<'END'
+import os, sys
+from paraview.simple import (CreateRenderView, GetParaViewVersion, OpenDataFile, Render, SaveScreenshot, Show, Threshold,
+                             UpdatePipeline, WarpByVector)
+from vtkmodules.vtkIOHDF import vtkHDFReader
+
+
+def opened(file, fields, parts):
+    """The file by ParaView's choice of reader: as many cells and points as VTK's reader finds, with these fields and parts."""
+    source = OpenDataFile(file)
+    assert source is not None, "ParaView does not open " + file
+    UpdatePipeline(proxy=source)
+    info, reader = source.GetDataInformation(), vtkHDFReader()
+    reader.SetFileName(file)
+    reader.Update()
+    grid = reader.GetOutput()
+    assert info.GetNumberOfCells() == grid.GetNumberOfCells() > 0
+    assert info.GetNumberOfPoints() == grid.GetNumberOfPoints() > 0
+    found = set(source.PointData.keys()) | set(source.CellData.keys())
+    assert set(fields) <= found, (fields, found)
+    cells = {}
+    for part in parts:
+        piece = Threshold(Input=source, Scalars=["CELLS", "part"], LowerThreshold=part - 0.5, UpperThreshold=part + 0.5)
+        UpdatePipeline(proxy=piece)
+        cells[part] = piece.GetDataInformation().GetNumberOfCells()
+    array = grid.GetCellData().GetArray("part")
+    numbers = [array.GetTuple1(i) for i in range(grid.GetNumberOfCells())]
+    assert cells == {part: numbers.count(part) for part in parts} and sum(cells.values()) == len(numbers), cells
+    return source, cells
+
+
+segment, cells = opened(sys.argv[1], ["displacement_m", "material", "part"], [0, 1, 2])
+assert cells[1] == cells[2] and cells[1] % 4 == 0, cells  # the case's layers
+reach, _ = opened(sys.argv[2], ["clearance_m", "target_count", "scope_1_state", "scope_2_state", "part"], [0, 1, 2])
+warped = WarpByVector(Input=segment, Vectors=["POINTS", "displacement_m"], ScaleFactor=10)
+if os.environ.get("DISPLAY"):
+    view = CreateRenderView()
+    Show(warped, view)
+    Render(view)
+    SaveScreenshot(sys.argv[3], view, ImageResolution=[640, 480])
+    assert os.path.getsize(sys.argv[3]) > 2000
+    picture = "drawn"
+else:
+    picture = "not drawn: no display"
+print("ParaView %s: segments of %d cells and a reach study opened, %s" % (GetParaViewVersion(), cells[1], picture))
+END
+show=
+if [ -z "${DISPLAY:-}" ] && command -v xvfb-run >/dev/null; then show='xvfb-run -a'; fi
+$show pvpython "$work/open_both.py" "$work/mapped/result.hdf" "$work/reach/result.hdf" "$work/picture.png"
