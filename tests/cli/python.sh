@@ -67,6 +67,35 @@ import stiffaxis
 print(stiffaxis.Case('$source/cases/constant_nc.yaml', {'section.mesh.kind': 'free'}).section()[0].area_m2)" >"$work/out" ||
     fail 'a section that needs gmsh'
 
+# --- installed: found from the module's place alone, and by pkg-config and CMake from C; moved together
+build=$(dirname "$(dirname "$program")")
+if [ -f "$build/share/stiffaxis.1" ]; then
+    cmake --install "$build" --prefix "$work/prefix" >"$work/log" 2>&1 || fail "$(tail -3 "$work/log")"
+    mv "$work/prefix" "$work/moved"
+    env -u STIFFAXIS_LIBRARY PYTHONPATH="$work/moved/share/stiffaxis/python" "$python" -c "
+import stiffaxis
+assert stiffaxis.library_path().startswith('$work/moved/lib'), stiffaxis.library_path()
+print(stiffaxis.Case('$source/cases/constant_nc.yaml', {'section.mesh.kind': 'free'}).section()[0].area_m2)" >"$work/out" ||
+        fail 'the installed module'
+    libraries=$(dirname "$(find "$work/moved/lib" -name libstiffaxis.so)")
+    export PKG_CONFIG_PATH="$libraries/pkgconfig"
+    # shellcheck disable=SC2046
+    cc -std=c11 -D_POSIX_C_SOURCE=200809L "$source/tests/python/solve_time.c" $(pkg-config --cflags --libs stiffaxis) -o "$work/by_pkgconfig" &&
+        LD_LIBRARY_PATH="$libraries" "$work/by_pkgconfig" "$source/cases/constant_nc.yaml" >"$work/out" || fail 'a program by pkg-config'
+    mkdir "$work/user"
+    cat >"$work/user/CMakeLists.txt" <<'END'
+cmake_minimum_required(VERSION 3.16)
+project(user C)
+find_package(stiffaxis REQUIRED)
+add_executable(by_cmake ${SOLVE_TIME})
+target_compile_definitions(by_cmake PRIVATE _POSIX_C_SOURCE=200809L)
+target_link_libraries(by_cmake PRIVATE stiffaxis::stiffaxis)
+END
+    { cmake -S "$work/user" -B "$work/user/build" -DSOLVE_TIME="$source/tests/python/solve_time.c" -DCMAKE_PREFIX_PATH="$work/moved" &&
+        cmake --build "$work/user/build" && "$work/user/build/by_cmake" "$source/cases/constant_nc.yaml"; } >"$work/log" 2>&1 ||
+        fail "a program by CMake: $(tail -3 "$work/log")"
+fi
+
 # --- the tour, and installed by pip where that works without a network
 (cd "$work" && "$python" "$source/examples/python_tour.py" "$source/cases/constant_nc.yaml") >"$work/out" 2>&1 || fail "the tour: $(tail -3 "$work/out")"
 out 'stiffness centre'
