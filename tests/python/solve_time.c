@@ -1,6 +1,6 @@
 // tests/python/solve_time.c
-// CPU time of a warm solve by the C library alone [us], best of several: what tests/python/overhead.py
-// measures Python against, with the same requests.
+// CPU time of a warm solve by the C library alone [us], best of several: what
+// tests/python/overhead.py measures Python against, with the same requests.
 #include <stiffaxis/stiffaxis.h>
 
 #include <stdio.h>
