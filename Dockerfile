@@ -14,9 +14,9 @@ RUN dpkg-buildpackage -us -uc -b \
 
 FROM debian:12-slim
 COPY --from=build /build/packages/stiffaxis.deb /tmp/stiffaxis.deb
-# the package knows which libraries it needs
+# the package knows which libraries it needs, and which it recommends
 RUN apt-get update \
-    && DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends /tmp/stiffaxis.deb getdp openmpi-bin \
+    && DEBIAN_FRONTEND=noninteractive apt-get install -y /tmp/stiffaxis.deb \
     && rm -rf /tmp/stiffaxis.deb /var/lib/apt/lists/* \
     && useradd --create-home --uid 1000 designer
 USER designer

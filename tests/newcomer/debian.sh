@@ -36,20 +36,39 @@ if [ -n "$out" ]; then
     cp "$build"/*.deb "$out"
 fi
 
-start=$(now)
 rm -rf "$root/root/packages"
 mkdir "$root/root/packages"
 cp "$build"/*.deb "$root/root/packages"
 rm -f "$root"/root/packages/*-dbgsym_*
-inside sh -c 'apt-get update -qq && DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends \
-    /root/packages/*.deb' >"$root/root/install.log" 2>&1 || {
-    tail -n 20 "$root/root/install.log" >&2
-    say 'the packages were not installed'
+
+# install WORDS...: apt-get's, inside
+install() {
+    start=$(now)
+    inside sh -c "apt-get update -qq && DEBIAN_FRONTEND=noninteractive apt-get install -y -qq $*" >"$root/root/install.log" 2>&1 || {
+        tail -n 20 "$root/root/install.log" >&2
+        say "not installed: $*"
+        exit 1
+    }
+    say "installed $* in $(($(now) - start)) s"
+}
+
+# without what is recommended: sections and rods, no MPI
+install --no-install-recommends '/root/packages/stiffaxis_*.deb'
+inside sh -c 'cd /root && stiffaxis example constant_nc >case.yaml && stiffaxis section case.yaml && stiffaxis rod case.yaml' | head -n 3
+if [ -n "$(find "$root/usr/lib" -name 'libmpi.so*')" ]; then
+    say 'the least that is installed brings MPI'
+    exit 1
+fi
+code=0
+inside stiffaxis doctor >"$root/root/doctor.log" 2>&1 || code=$?
+[ "$code" = 5 ] && grep -q 'apt-get install' "$root/root/doctor.log" || {
+    say 'the doctor does not miss what is left out'
     exit 1
 }
-say "installed in $(($(now) - start)) s"
+
+install '/root/packages/*.deb'
 inside stiffaxis doctor
-inside sh -c 'cd /root && stiffaxis example constant_nc >case.yaml && stiffaxis run case.yaml --out results --force --quiet' | tail -n 1
+inside sh -c 'cd /root && stiffaxis run case.yaml --out results --force --quiet' | tail -n 1
 inside python3 -c '
 import stiffaxis
 case = stiffaxis.Case("/root/case.yaml")
