@@ -10,11 +10,23 @@ static double place(const stiffaxis_state *state, int n, const double *s, int i)
     return s ? s[i] : i == n - 1 ? length : length * i / (n - 1);
 }
 
+// s NULL: equally spaced ones are
+static status check_places(int n, const double *s)
+{
+    for (int i = 0; s && i < n; i++) {
+        if (!isfinite(s[i])) {
+            return status_fail(ERR_INPUT, "arclength %d is not finite", i);
+        }
+    }
+    return OK;
+}
+
 int stiffaxis_shape(const stiffaxis_state *state, int n, const double *s, double *position,
                     double *rotation)
 {
     status st = OK;
     status_clear();
+    TRY(check_places(n, s));
     for (int i = 0; i < n; i++) {
         pose g;
         TRY(rod_pose(state->state, place(state, n, s, i), &g));
@@ -36,6 +48,7 @@ int stiffaxis_along(const stiffaxis_state *state, int n, const double *s, double
     status st = OK;
     const size_t ntendon = (size_t)stiffaxis_rod_tendons(state->rod);
     status_clear();
+    TRY(check_places(n, s));
     for (int i = 0; i < n; i++) {
         const double at = place(state, n, s, i);
         vec6 value;
@@ -62,13 +75,18 @@ _Static_assert(sizeof(vec6) == 6 * sizeof(double) && sizeof(mat6) == 36 * sizeof
 
 int stiffaxis_derive(stiffaxis_state *state, double s, const stiffaxis_derivatives *out)
 {
+    status st = OK;
     status_clear();
-    return (int)rod_derive(state->state, s,
-                           &(rod_derivatives){.tension = (vec6 *)out->tension,
-                                              .pull = (vec6 *)out->pull,
-                                              .load = (vec6 *)out->load,
-                                              .tip_space = (mat6 *)out->tip_space,
-                                              .tip_body = (mat6 *)out->tip_body,
-                                              .base = (mat6 *)out->base,
-                                              .length_by_tension = out->length_by_tension});
+    TRY(check_places(1, &s));
+    st = rod_derive(state->state, s,
+                    &(rod_derivatives){.tension = (vec6 *)out->tension,
+                                       .pull = (vec6 *)out->pull,
+                                       .load = (vec6 *)out->load,
+                                       .tip_space = (mat6 *)out->tip_space,
+                                       .tip_body = (mat6 *)out->tip_body,
+                                       .base = (mat6 *)out->base,
+                                       .length_by_tension = out->length_by_tension});
+
+done:
+    return (int)st;
 }

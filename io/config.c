@@ -95,10 +95,14 @@ status config_open_text(const char *path, const char *text, int noverride,
 {
     char *same = NULL;
     status st = OK;
-    TRY(TAKE(same, strlen(text) + 1));
-    memcpy(same, text, strlen(text));
-    TRY(open_config(path, &(config){.text = same, .length = strlen(text)}, noverride, overrides,
-                    out));
+    const size_t length = strlen(text);
+    if (length > CONFIG_MAX_BYTES) {
+        return status_fail(ERR_INPUT, "%s:1:1: error: the text is larger than %d MB: not a case",
+                           path, CONFIG_MAX_BYTES >> 20);
+    }
+    TRY(TAKE(same, length + 1));
+    memcpy(same, text, length);
+    TRY(open_config(path, &(config){.text = same, .length = length}, noverride, overrides, out));
 
 done:
     free(same);

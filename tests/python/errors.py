@@ -29,6 +29,7 @@ fails(ValueError, "mine.yaml", stiffaxis.Case.from_text, at, name="mine.yaml")  
 error = fails(stiffaxis.InputError, "--set 'rod.lengthmm=3'", stiffaxis.Case, path, {"rod.lengthmm": 3})
 assert error.line is None
 fails(stiffaxis.InputError, "/nowhere.yaml", stiffaxis.Case, "/nowhere.yaml")
+fails(stiffaxis.InputError, "larger than 8 MB", stiffaxis.Case.from_text, "a: " + "x" * (9 << 20))
 fails(ValueError, "NUL", stiffaxis.Case, "a\0b")
 fails(TypeError, "mapping", stiffaxis.Case, path, "rod.length_mm=3")
 only_section = stiffaxis.Case.from_text(text[: text.index("rod:")])
@@ -49,6 +50,9 @@ fails(stiffaxis.InputError, "", rod.solve, [0.1, 0], base=np.ones((4, 4)))
 fails(stiffaxis.NumericError, "", rod.solve, [1e3, 0])
 fails(ValueError, "two points", rod.shape, 1)
 fails(stiffaxis.InputError, "finite", section.stiffness, [0.1, np.inf])
+rod.solve([0.1, 0])
+for what, place in (rod.shape, [np.nan]), (rod.along, [np.inf]), (rod.derivatives, np.nan):
+    fails(stiffaxis.InputError, "finite", what, place)
 
 # --- other values: only what they touch is made again
 first = rod.solve([0.49, 0], cold=True).tip_position_m
