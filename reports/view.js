@@ -53,6 +53,7 @@ function View(figure) {
     this.setUpHands();
     this.look(0);
     this.choose();
+    this.drawNow();
 }
 
 View.prototype.setUpDrawing = function () {

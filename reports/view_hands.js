@@ -126,7 +126,9 @@ View.prototype.drawNow = function () {
     this.figure.dataset.drawn = this.figure.dataset.drawn || performance.now().toFixed(0);
 };
 
-// the page can be read before: a view is made when it comes near what is seen
+// told to whoever asks how quickly: milliseconds from asking for the page to having it, and to each view
+document.documentElement.dataset.ready = performance.now().toFixed(0);
+
 function begin(figure) {
     if (canDraw() && loadThree()) {
         new View(figure);
@@ -135,17 +137,21 @@ function begin(figure) {
     }
 }
 
-// told to whoever asks how quickly: milliseconds from asking for the page to having it, and to each view
-document.documentElement.dataset.ready = performance.now().toFixed(0);
-
-const figures = document.querySelectorAll("figure.view");
-
-if (window.IntersectionObserver) {
+// the page can be read before: views are made when they come near what is seen
+function beginNear(figures) {
+    const margin = 600, isNear = (f) => f.getBoundingClientRect().top < window.innerHeight + margin;
     const near = new IntersectionObserver((seen) => seen.filter((s) => s.isIntersecting).forEach((s) => {
         near.unobserve(s.target);
         begin(s.target);
-    }), {rootMargin: "600px"});
-    figures.forEach((figure) => near.observe(figure));
-} else {
-    figures.forEach(begin);
+    }), {rootMargin: margin + "px"});
+    figures.forEach((figure) => isNear(figure) ? begin(figure) : near.observe(figure));
 }
+
+setTimeout(() => {
+    const figures = Array.from(document.querySelectorAll("figure.view"));
+    if (window.IntersectionObserver && canDraw()) {
+        beginNear(figures);
+    } else {
+        figures.forEach(begin);
+    }
+}, 0);
