@@ -9,7 +9,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { MOST_SVG = 300000 }; // bytes; the same as PNG is smaller from there on
+enum { MOST_SVG = 300000 }; // bytes; from there on the same as PNG may be smaller
 
 // The whole file; *out stays empty where there is none.
 static status read_file(const char *dir, const char *name, const char *kind, bytes *out)
@@ -58,7 +58,8 @@ static status put_picture(bytes *page, const char *dir, const char *name, const 
     if (strlen(svg) > MOST_SVG) {
         TRY(read_file(dir, name, "png", &png));
     }
-    if (png.length > 0) {
+    // in base64; a picture of few colours and many pieces
+    if (png.length > 0 && png.length / 3 * 4 < strlen(svg)) {
         TRY(put_points(page, &png, svg));
     } else if (over && end) {
         TRY(bytes_append(page, svg, (size_t)(end - svg)));
