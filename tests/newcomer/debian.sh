@@ -66,6 +66,8 @@ inside stiffaxis doctor >"$root/root/doctor.log" 2>&1 || code=$?
     exit 1
 }
 
+# apt asks for what is recommended only where the package is new
+inside apt-get remove -y -qq stiffaxis >>"$root/root/install.log" 2>&1
 install '/root/packages/*.deb'
 inside stiffaxis doctor
 inside sh -c 'cd /root && stiffaxis run case.yaml --out results --force --quiet' | tail -n 1
