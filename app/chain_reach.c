@@ -3,6 +3,7 @@
 #include "app/chain.h"
 #include "app/reach_case.h"
 #include "app/reach_run.h"
+#include "app/warnings.h"
 #include "base/memory.h"
 #include "reach/reach_map.h"
 
@@ -52,6 +53,18 @@ static status tell_scene(const case_data *c, const reach_scene *scene, int nscop
 
 done:
     return st;
+}
+
+// what a channel leads through lies before the tissue's own space
+static void warn_entry(const command *cmd, const case_data *c, const reach_scene *scene)
+{
+    const double inside = distance_to(scene->tree, scene->entry.p).distance;
+    if (inside > 0) {
+        warn_at(cmd, c, c->file.reach.entry.at,
+                "the entry point lies in the hollow already, %.3g mm from its wall: nothing of the "
+                "way there is looked at",
+                1e3 * inside);
+    }
 }
 
 // extra NULL: scope i of the case. Where it fails *s is closed.
@@ -110,6 +123,7 @@ status chain_reach_with(const command *cmd, const case_data *c, const reach_extr
     reach_study how = {.c = c, .scene = &scene, .cmd = cmd, .bodies = true};
     command_progress(cmd, "tissue and targets");
     TRY(reach_scene_open(c, &scene));
+    warn_entry(cmd, c, &scene);
     TRY(tell_scene(c, &scene, n + (extra ? 1 : 0), &out->reach));
     how.nmap = out->reach.nmap;
     how.map = (const double(*)[3])out->reach.map_point;

@@ -243,6 +243,7 @@ status reach_study_maps(const reach_study *how, int n, reach_scope *scopes, reac
     const size_t size = one + (states + one - 1) / one * one;
     unsigned char *found = NULL;
     m.how.cmd = NULL;
+    m.how.bodies = false; // no pose is told, and no strain of one
     TRY(TAKE(found, (size_t)n * size));
     TRY(team_map(map_of_scope, &m, n, size, &team, found));
     for (int i = 0; i < n; i++) {

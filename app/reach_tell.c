@@ -150,13 +150,14 @@ static void limit_reason(const scope *s, reach_answer *a)
                    1e3 * a->miss);
 }
 
-static void collision_reason(double least, reach_answer *a)
+static void collision_reason(double least, double length, reach_answer *a)
 {
     char where[REACH_NAME];
     if (a->s < 0) {
         (void)snprintf(where, sizeof where, "on the shaft, %.3g mm before the tip", -1e3 * a->s);
     } else {
-        (void)snprintf(where, sizeof where, "at s = %.3g mm of the tip", 1e3 * a->s);
+        (void)snprintf(where, sizeof where, "at s = %.3g mm of the %.3g mm that bend", 1e3 * a->s,
+                       1e3 * length);
     }
     const double depth = least - a->clearance;
     (void)snprintf(a->why, sizeof a->why, "%.3g mm too near to the tissue %s", 1e3 * fmax(depth, 0),
@@ -178,7 +179,7 @@ void reach_tell_reason(const reach_study *how, const reach_scope *s, reach_answe
         limit_reason(&s->scope, a);
         break;
     case REACH_COLLISION:
-        collision_reason(r->clearance, a);
+        collision_reason(r->clearance, s->scope.length, a);
         break;
     case REACH_NO_WAY:
         (void)snprintf(a->why, sizeof a->why,

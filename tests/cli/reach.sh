@@ -251,6 +251,11 @@ wrong 's/direction:/towards_mm: [0, 0, 1], direction:/' 7 'exclude each other'
 wrong 's/\[0, 0, -20\]/[30, 0, -20]/' 7 'the entry line misses the tissue'
 wrong 's/direction: .0, 0, 3./direction: [0, 0, -3]/' 7 'leads away from the tissue'
 wrong 's/\[0, 0, -20\]/[19.2, 0, -20]/' 7 'nowhere room for a shaft'
+# an entry in the hollow: nothing lies before it to be led through
+sed 's/\[0, 0, -20\]/[0, 0, 0]/' "$work/good.yaml" >"$work/inside.yaml"
+expect 0 "$program" reach "$work/inside.yaml" --quiet
+grep -q 'inside.yaml:7:[0-9]*: .*the entry point lies in the hollow already, [0-9.]* mm from its wall' "$work/err" ||
+    fail 'an entry in the hollow is not told'
 # the ball has 20 mm of room at its middle, 35 mm on; its facets cut a little off
 wrong '10s/radius_mm: 1.4/radius_mm: 21/' 7 'nowhere room for a shaft of 21'
 grep -q 'at most 19\.[0-9]* mm, 35[.0-9]* mm from the point$' "$work/err" || fail 'not the room that the ball has'
