@@ -95,6 +95,7 @@ static void take_flag(command *cmd, int id)
     cmd->force = cmd->force || id == OPTION_FORCE;
     cmd->quiet = cmd->quiet || id == OPTION_QUIET;
     cmd->markdown = cmd->markdown || id == OPTION_MARKDOWN;
+    cmd->bare = cmd->bare || id == OPTION_BARE;
     cmd->allow_scripts = cmd->allow_scripts || id == OPTION_ALLOW_SCRIPTS;
     cmd->help = cmd->help || id == OPTION_HELP;
     cmd->version = cmd->version || id == OPTION_VERSION;

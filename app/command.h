@@ -26,7 +26,7 @@ struct command {
     const char *argument;  // the first; NULL where none was given
     int nargument;
     const char *arguments[COMMAND_MAX_ARGUMENTS];
-    bool json, force, quiet, markdown, help, version, allow_scripts;
+    bool json, force, quiet, markdown, bare, help, version, allow_scripts;
     const char *out; // --out DIR; NULL: nothing is written
     int noverride;
     const char *overrides[COMMAND_MAX_OVERRIDES]; // KEY=VALUE, as given

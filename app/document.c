@@ -12,7 +12,7 @@ status document_begin(document *d)
     return d->stream ? OK : status_fail(ERR_RESOURCE, "out of memory: a document");
 }
 
-static status document_close(document *d)
+status document_close(document *d)
 {
     FILE *stream = d->stream;
     d->stream = NULL;

@@ -15,6 +15,9 @@ typedef struct document {
 
 status document_begin(document *d);
 
+// The text is whole: no more is written to the stream.
+status document_close(document *d);
+
 // Shows the document on stdout, and keeps it as DIR/name with --out.
 status document_end(document *d, command *cmd, const char *name);
 

@@ -11,6 +11,8 @@ const option options[OPTION_COUNT] = {
     {"--quiet", NULL, "no progress and no hints on stderr", NULL},
     {"--lines", "N", "at most N lines of summary (run, report)", "run, report"},
     {"--markdown", NULL, "the key reference as Markdown (schema)", "schema"},
+    {"--bare", NULL, "the case as it was written, without a comment for every key (example)",
+     "example"},
     {"--allow-scripts", NULL, "let a `geo:` section run its gmsh script, which may run programs",
      NULL},
     {"--help", NULL, "this help, or that of a command", NULL},

@@ -12,6 +12,7 @@ typedef enum option_id {
     OPTION_QUIET,
     OPTION_LINES,
     OPTION_MARKDOWN,
+    OPTION_BARE,
     OPTION_ALLOW_SCRIPTS,
     OPTION_HELP,
     OPTION_VERSION,

@@ -87,10 +87,11 @@ static const subcommand list[] = {
     {"schema", NULL, cmd_schema, "the key reference as JSON Schema",
      "For editors that check YAML while one types; --markdown prints it for people.\n",
      "stiffaxis schema > stiffaxis.schema.json"},
-    {"example", "[NAME]", cmd_example, "a runnable case; without NAME the list of them",
-     "The cases of the repository's cases/, which this program carries. Those that need files "
-     "stand in\n"
-     "its folders: cases/scan (a scan to fitted numbers), cases/measured, cases/tensile.\n",
+    {"example", "[NAME]", cmd_example,
+     "a runnable case with comments; without NAME the list of them",
+     "The cases of the repository's cases/, which this program carries, with a comment for every\n"
+     "key that they use; --bare leaves out what their writers did not say. --out DIR writes\n"
+     "DIR/NAME.yaml and, where the case reads images, scans or tables, those beside it.\n",
      "stiffaxis example fig4 > fig4.yaml"},
     {"doctor", NULL, cmd_doctor, "versions, and what works on this machine",
      "Uses every library once on a small problem. Exit code 5 when one that is needed fails.\n",

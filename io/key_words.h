@@ -2,7 +2,7 @@
 // A key's value, range and default in plain words, for every form of the key reference.
 #pragma once
 
-#include "base/key.h"
+#include "io/key_names.h"
 
 enum { KEY_WORDS = 1024 };
 
@@ -12,3 +12,6 @@ void key_value_words(const key *k, char words[KEY_WORDS]);
 void key_limit_words(const key *k, char words[KEY_WORDS]);
 // "required", "one of group 1", the default, or "".
 void key_demand_words(const key *k, char words[KEY_WORDS]);
+// What a key means, with its range in this unit and its default, for a comment beside it: "full
+// angular width, more than 0 and less than 2 pi; 0 to 360 deg".
+void key_help(const key *k, const unit *u, char words[KEY_WORDS]);
