@@ -10,9 +10,12 @@ static double place(const stiffaxis_state *state, int n, const double *s, int i)
     return s ? s[i] : i == n - 1 ? length : length * i / (n - 1);
 }
 
-// s NULL: equally spaced ones are
-static status check_places(int n, const double *s)
+// s NULL: equally spaced ones are finite
+static status check_places(const stiffaxis_state *state, int n, const double *s)
 {
+    if (!state->answered) {
+        return status_fail(ERR_INPUT, "a shape is asked for before a solution");
+    }
     for (int i = 0; s && i < n; i++) {
         if (!isfinite(s[i])) {
             return status_fail(ERR_INPUT, "arclength %d is not finite", i);
@@ -26,7 +29,7 @@ int stiffaxis_shape(const stiffaxis_state *state, int n, const double *s, double
 {
     status st = OK;
     status_clear();
-    TRY(check_places(n, s));
+    TRY(check_places(state, n, s));
     for (int i = 0; i < n; i++) {
         pose g;
         TRY(rod_pose(state->state, place(state, n, s, i), &g));
@@ -48,7 +51,7 @@ int stiffaxis_along(const stiffaxis_state *state, int n, const double *s, double
     status st = OK;
     const size_t ntendon = (size_t)stiffaxis_rod_tendons(state->rod);
     status_clear();
-    TRY(check_places(n, s));
+    TRY(check_places(state, n, s));
     for (int i = 0; i < n; i++) {
         const double at = place(state, n, s, i);
         vec6 value;
@@ -77,7 +80,7 @@ int stiffaxis_derive(stiffaxis_state *state, double s, const stiffaxis_derivativ
 {
     status st = OK;
     status_clear();
-    TRY(check_places(1, &s));
+    TRY(check_places(state, 1, &s));
     st = rod_derive(state->state, s,
                     &(rod_derivatives){.tension = (vec6 *)out->tension,
                                        .pull = (vec6 *)out->pull,

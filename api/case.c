@@ -18,6 +18,7 @@ static status open_case(const case_request *request, stiffaxis_case **out)
     status st = OK;
     stiffaxis_case *c = NULL;
     *out = NULL;
+    status_clear();
     TRY(TAKE(c, 1));
     TRY(case_open(request, &c->data));
     c->users = 1;

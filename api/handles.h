@@ -29,9 +29,10 @@ struct stiffaxis_rod {
 struct stiffaxis_state {
     stiffaxis_rod *rod;
     rod_state *state;
+    bool answered; // there is a last answer
 };
 
-// What has state of its own (expressions, modules, gmsh) is one thread's at a time. begin also
-// forgets the thread's last message.
+// What has state of its own (expressions, modules, gmsh) is one thread's at a time, in the locale
+// "C".
 void turn_begin(void);
 void turn_end(void);

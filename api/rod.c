@@ -23,6 +23,7 @@ static status make_rod(stiffaxis_section *section, settings *s, stiffaxis_rod **
     status st = OK;
     stiffaxis_rod *rod = NULL;
     *out = NULL;
+    status_clear();
     TRY(case_need_rod(&section->c->data));
     TRY(TAKE(rod, 1));
     tell_settings(s);

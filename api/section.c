@@ -10,6 +10,7 @@ static status make_section(stiffaxis_case *c, stiffaxis_section **out)
     status st = OK;
     stiffaxis_section *section = NULL;
     *out = NULL;
+    status_clear();
     TRY(case_need_section(&c->data));
     TRY(TAKE(section, 1));
     TRY(variation_open(&c->data, NULL, &section->v));
@@ -35,7 +36,9 @@ int stiffaxis_section_make(stiffaxis_case *c, stiffaxis_section **out)
 void stiffaxis_section_free(stiffaxis_section *section)
 {
     if (section && atomic_fetch_sub(&section->users, 1) == 1) {
+        turn_begin();
         variation_free(&section->v);
+        turn_end();
         stiffaxis_case_free(section->c);
         free(section);
     }

@@ -100,6 +100,7 @@ int stiffaxis_solve(stiffaxis_state *state, const stiffaxis_request *request,
     status_clear();
     const status st = rod_solve(state->state, &asked, &found);
     keep_solution(&found, out);
+    state->answered = st == OK || found.limited;
     return (int)st;
 }
 

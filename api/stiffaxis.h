@@ -14,7 +14,8 @@
 // Functions that can fail return a stiffaxis_status, whose numbers are the program's exit codes.
 // Nothing is printed. Cases, sections and rods are made one at a time, whoever asks; solves run
 // side by side, one state per thread. A section keeps its case, a rod its section, a state its rod:
-// they may be freed in any order.
+// they may be freed in any order, by any thread, when no call uses them. NULL may be freed, and
+// given nowhere else but where it says so. A child process may go on with what was there at a fork.
 #pragma once
 
 #include <stddef.h>
@@ -41,7 +42,8 @@ enum stiffaxis_status {
 
 // "0.1.0"
 STIFFAXIS_API const char *stiffaxis_version(void);
-// Why the calling thread's last call failed, one line; "" where it did not. Until its next call.
+// Why the calling thread's last call failed, one line; "" where it did not. Until its next call
+// that may fail: what went wrong may be freed before it is told.
 STIFFAXIS_API const char *stiffaxis_error(void);
 
 // --- cases

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import os
-from typing import Optional, Union
+from typing import Any, Mapping, Optional
 
 from ._handle import Handle
-from ._library import Settings, encode, library, make, settings_arguments
+from ._library import FilePath, Settings, encode, encode_path, library, make, settings_arguments, yaml_of
 from ._rod import Rod
 from ._section import Section
 
@@ -18,19 +17,28 @@ class Case(Handle):
     ``["rod.length_mm=100"]``. allow_scripts: a ``geo:`` section may run its script.
     """
 
-    def __init__(self, path: Union[str, os.PathLike], settings: Settings = None, *, allow_scripts: bool = False) -> None:
+    def __init__(self, path: FilePath, settings: Settings = None, *, allow_scripts: bool = False) -> None:
         count, texts = settings_arguments(settings)
-        handle = make(library.stiffaxis_case_open, encode(path), count, texts, int(allow_scripts))
-        super().__init__(handle, library.stiffaxis_case_free)
+        pointer = make(library.stiffaxis_case_open, encode_path(path), count, texts, int(allow_scripts))
+        super().__init__(pointer, library.stiffaxis_case_free)
 
     @classmethod
-    def from_text(cls, text: str, settings: Settings = None, *, name: str = "case.yaml", allow_scripts: bool = False) -> Case:
+    def from_text(cls, text: str, settings: Settings = None, *, name: FilePath = "case.yaml",
+                  allow_scripts: bool = False) -> Case:
         """A case that no file holds. name: what messages call it; its folder is where the case's own files are looked for."""
         count, texts = settings_arguments(settings)
-        handle = make(library.stiffaxis_case_read, encode(text), encode(name), count, texts, int(allow_scripts))
+        pointer = make(library.stiffaxis_case_read, encode(text), encode_path(name), count, texts, int(allow_scripts))
         case = cls.__new__(cls)
-        Handle.__init__(case, handle, library.stiffaxis_case_free)
+        Handle.__init__(case, pointer, library.stiffaxis_case_free)
         return case
+
+    @classmethod
+    def from_dict(cls, case: Mapping[str, Any], settings: Settings = None, *, name: FilePath = "case.yaml",
+                  allow_scripts: bool = False) -> Case:
+        """A case made in Python: the keys of a case file with numbers, texts, lists and numpy arrays as values,
+        ``{"format": 1, "materials": {"soft": {"E_MPa": 0.66, "nu": 0.3}}, "section": {"shapes": [...]}}``; all else as
+        ``from_text``."""
+        return cls.from_text(yaml_of(case), settings, name=name, allow_scripts=allow_scripts)
 
     @property
     def title(self) -> Optional[str]:
@@ -41,14 +49,16 @@ class Case(Handle):
     @property
     def length_m(self) -> float:
         """Of the rod, else of the segment, else up to the last station [m]."""
-        return library.stiffaxis_case_length(self._handle)
+        return float(library.stiffaxis_case_length(self._handle))
 
     @property
     def has_section(self) -> bool:
+        """Whether ``section`` has something to solve."""
         return bool(library.stiffaxis_case_has_section(self._handle))
 
     @property
     def has_rod(self) -> bool:
+        """Whether ``rod`` has something to make."""
         return bool(library.stiffaxis_case_has_rod(self._handle))
 
     def section(self) -> Section:

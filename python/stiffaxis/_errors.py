@@ -50,6 +50,9 @@ class LimitPoint(NumericError):
         super().__init__(message)
         self.solution = solution
 
+    def __reduce__(self) -> Any:  # out of another process it comes whole
+        return type(self), (self.message, self.solution)
+
 
 class ResourceError(Error):
     """Out of memory, disk or time, or a module of stiffaxis is missing."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ctypes
+import json
 import os
 import shutil
 import sys
@@ -10,10 +11,11 @@ import sysconfig
 from ctypes import POINTER, c_char_p, c_double, c_int, c_size_t, c_void_p
 from ctypes.util import find_library
 from pathlib import Path
-from typing import Any, Iterator, Mapping, Optional, Sequence, Union
+from typing import Any, Iterator, Mapping, Optional, Sequence, Tuple, Union
 
 try:
     import numpy as np
+    from numpy.typing import NDArray
 except ImportError as missing:
     raise ImportError(
         "stiffaxis needs numpy, which this Python (%s) does not have: on Debian apt-get install python3-numpy and use "
@@ -26,6 +28,10 @@ VERSION = "0.1.0"
 _NAME = "libstiffaxis.so"
 _NUMBERED = _NAME + ".0"
 
+MOST = 2**31 - 1  # places or rows of one call: the library counts them with an int
+
+Array = NDArray[np.float64]
+FilePath = Union[str, bytes, "os.PathLike[Any]"]
 Settings = Union[Mapping[str, Any], Sequence[str], None]
 
 
@@ -111,8 +117,7 @@ def _folders() -> Iterator[Path]:
     here = Path(__file__).resolve().parent
     yield here
     for above in here.parents:  # a source tree's build, or a prefix that holds both
-        for preset in ("release", "dev"):
-            yield above / "build" / preset / "bin"
+        yield above / "build" / "release" / "bin"
         yield above / "lib"
         yield above / "lib" / str(sysconfig.get_config_var("MULTIARCH") or "")
     program = shutil.which("stiffaxis")
@@ -143,14 +148,15 @@ def _open() -> ctypes.CDLL:
         )
     try:
         opened = ctypes.CDLL(path)
+        opened.stiffaxis_version.restype = c_char_p
+        version = opened.stiffaxis_version().decode()
+        if version.split(".")[:2] != VERSION.split(".")[:2]:
+            raise ImportError("%s is version %s, this module %s" % (path, version, VERSION))
         for name, (result, arguments) in _FUNCTIONS.items():
             function = getattr(opened, "stiffaxis_" + name)
             function.restype, function.argtypes = result, arguments
     except (OSError, AttributeError) as why:
         raise ImportError("%s cannot be used: %s" % (path, why)) from why
-    version = opened.stiffaxis_version().decode()
-    if version.split(".")[:2] != VERSION.split(".")[:2]:
-        raise ImportError("%s is version %s, this module %s" % (path, version, VERSION))
     return opened
 
 
@@ -183,40 +189,57 @@ def make(function: Any, *arguments: Any) -> int:
     return out.value
 
 
-def encode(text: Union[str, bytes, os.PathLike]) -> bytes:
-    data = os.fsencode(text)
+def encode_path(path: FilePath) -> bytes:
+    """As the file system has it."""
+    return _without_nul(os.fsencode(path))
+
+
+def encode(text: str) -> bytes:
+    """Words of a case, which are UTF-8 whatever the locale is."""
+    if not isinstance(text, str):
+        raise TypeError("wanted a str, got a %s" % type(text).__name__)
+    return _without_nul(text.encode("utf-8", "surrogateescape"))
+
+
+def _without_nul(data: bytes) -> bytes:
     if b"\0" in data:
-        raise ValueError("a NUL character in %r" % (text,))
+        raise ValueError("a NUL character in %r" % data[:80])
     return data
 
 
-def _value(value: Any) -> str:
-    if isinstance(value, str):
-        return value
-    if isinstance(value, (bool, np.bool_)):
-        return "true" if value else "false"
-    if isinstance(value, np.ndarray):
-        value = value.tolist()
-    if isinstance(value, (list, tuple)):
-        return "[%s]" % ", ".join(_value(v) for v in value)
-    return repr(value.item() if isinstance(value, np.generic) else value)
+def _plain(value: Any) -> Any:
+    if isinstance(value, (np.ndarray, np.generic)):
+        return value.tolist()
+    if isinstance(value, os.PathLike):
+        return os.fspath(value)
+    raise TypeError("no value of a case: %r is a %s" % (value, type(value).__name__))
 
 
-def settings_arguments(settings: Settings) -> tuple:
+def yaml_of(value: Any) -> str:
+    """Mappings, sequences, arrays, numbers with all their digits, texts: as YAML, which JSON is."""
+    return json.dumps(value, default=_plain, ensure_ascii=False, indent=1)
+
+
+def settings_arguments(settings: Settings) -> Tuple[int, Any]:
     """(count, array) as the library takes KEY=VALUE texts."""
-    if isinstance(settings, str):
+    if isinstance(settings, (str, bytes)):
         raise TypeError("settings are a mapping {key: value} or a list of 'key=value', not one text")
     if isinstance(settings, Mapping):
-        texts = ["%s=%s" % (key, _value(value)) for key, value in settings.items()]
+        texts = ["%s=%s" % (key, value if isinstance(value, str) else yaml_of(value)) for key, value in settings.items()]
     else:
         texts = list(settings or [])
-    return len(texts), (c_char_p * max(len(texts), 1))(*[encode(t) for t in texts])
+    return len(texts), (c_char_p * max(len(texts), 1))(*map(encode, texts))
 
 
-def numbers(values: Any, shape: tuple, what: str) -> np.ndarray:
-    """A C-contiguous float64 array of this shape; -1: any length."""
-    array = np.ascontiguousarray(values, dtype=np.float64)
-    if array.ndim != len(shape) or any(w not in (-1, n) for n, w in zip(array.shape, shape)):
-        wanted = ", ".join("n" if w == -1 else str(w) for w in shape)
-        raise ValueError("%s has the shape %s, wanted (%s)" % (what, array.shape, wanted))
-    return array
+def numbers(values: Any, shape: Tuple[int, ...], what: str) -> Array:
+    """A C-contiguous float64 array of this shape, in this machine's byte order; -1: any length."""
+    array = np.asarray(values)
+    if array.dtype.kind not in "biufO":
+        raise TypeError("%s: wanted real numbers, got %s" % (what, array.dtype))
+    floats: Array = np.require(array, np.float64, "C")
+    if floats.ndim != len(shape) or any(w not in (-1, n) for n, w in zip(floats.shape, shape)):
+        wanted = ", ".join("n" if w == -1 else str(w) for w in shape) + ("," if len(shape) == 1 else "")
+        raise ValueError("%s has the shape %s, wanted (%s)" % (what, floats.shape, wanted))
+    if len(floats) > MOST:
+        raise ValueError("%s: more than %d" % (what, MOST))
+    return floats

@@ -5,42 +5,65 @@ from __future__ import annotations
 import ctypes
 import threading
 from dataclasses import dataclass
-from typing import Any, List, NamedTuple, Optional, Tuple
+from operator import index
+from typing import Any, Dict, List, NamedTuple, Optional, Tuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ._errors import LimitPoint
 from ._handle import Handle
-from ._library import DerivativesData, RequestData, SolutionData, check, failed, library, make, numbers
+from ._library import MOST, Array, DerivativesData, RequestData, SolutionData, check, failed, library, make, numbers
 
 _solve = library.stiffaxis_solve
 _NAME_ROOM = 256
 
 
 class Critical(NamedTuple):
-    """A limit point or a bifurcation on the way to a request."""
+    """A limit point or a bifurcation on the way to a request.
 
-    kind: str  #: "limit_point" or "bifurcation"
-    fraction: float  #: of the way
-    negative_directions: Optional[int]  #: of the second variation behind it; None: no potential
+    kind: "limit_point" or "bifurcation".
+    fraction: of the way, from 0 to 1 [-].
+    negative_directions: of the second variation behind it; None: no potential.
+    """
+
+    kind: str
+    fraction: float
+    negative_directions: Optional[int]
 
 
 class Solution:
-    """One answer of the rod; the names are the keys of ``stiffaxis rod --json``. Arrays are the solution's own."""
+    """One answer of the rod; the names are the keys of ``stiffaxis rod --json``. Arrays are the solution's own.
+
+    tip_position_m: (3,) of the geometric centre, in the world [m].
+    tip_rotation: (3, 3) columns: the section's axes, in the world [-].
+    tendon_length_m: (ntendon,) inside the body [m].
+    tensions_N: (ntendon,) at the base, as given or found; 0: slack [N].
+    relative_error: of the tip, |p - p_exact| / L: an estimate [-].
+    iterations: Newton steps.
+    fraction: of the request that was reached: 1, or less at a limit point [-].
+    limited: whether a limit point stands in the way, and this is the answer there.
+    stable: True, False, or None: not known.
+    eigenvalue: the smallest of the second variation: 1 at rest, 0 critical; nan: not asked for, or no potential [-].
+    energy_J: stored by the strains [J].
+    work_J: of loads and tendons on the way from rest; nan: not known [J].
+    residual: misfit of the balance, over the largest strain [-].
+    critical_points: list of ``Critical``, in the order met.
+    """
 
     __slots__ = ("tip_position_m", "tip_rotation", "tendon_length_m", "tensions_N", "relative_error", "iterations", "fraction",
                  "limited", "stable", "eigenvalue", "energy_J", "work_J", "residual", "critical_points")
 
-    tip_position_m: np.ndarray  #: (3,) of the geometric centre, in the world [m]
-    tip_rotation: np.ndarray  #: (3, 3) columns: the section's axes, in the world
-    tendon_length_m: np.ndarray  #: (ntendon,) inside the body [m]
-    tensions_N: np.ndarray  #: (ntendon,) at the base, as given or found; 0: slack [N]
-    relative_error: float  #: of the tip, |p - p_exact| / L: an estimate
+    tip_position_m: Array
+    tip_rotation: Array
+    tendon_length_m: Array
+    tensions_N: Array
+    relative_error: float
     iterations: int
-    fraction: float  #: of the request that was reached: 1, or less at a limit point
+    fraction: float
     limited: bool
-    stable: Optional[bool]  #: None: not known
-    eigenvalue: float  #: 1 at rest, 0 critical; nan: not asked for, or no potential
+    stable: Optional[bool]
+    eigenvalue: float
     energy_J: float
     work_J: float
     residual: float
@@ -51,33 +74,53 @@ class Solution:
 
 
 class Shape(NamedTuple):
-    """The geometric centreline in the world."""
+    """The geometric centreline in the world.
 
-    s_m: np.ndarray  #: (n,) [m]
-    position_m: np.ndarray  #: (n, 3) [m]
-    rotation: np.ndarray  #: (n, 3, 3) columns: the section's axes
+    s_m: (n,) arclengths [m], before they are clipped.
+    position_m: (n, 3) [m].
+    rotation: (n, 3, 3) columns: the section's axes [-].
+    """
+
+    s_m: Array
+    position_m: Array
+    rotation: Array
 
 
 class Along(NamedTuple):
-    """What the rod's sections feel."""
+    """What the rod's sections feel.
 
-    s_m: np.ndarray  #: (n,) [m]
-    strain: np.ndarray  #: (n, 6) shear x, shear y, stretch (1: none) [-]; curvature x, y, twist [1/m]
-    wrench: np.ndarray  #: (n, 6) of the section alone: force [N], moment [N m], in its own axes
-    tension_N: np.ndarray  #: (n, ntendon) of the tendons there; 0 past their ends [N]
+    s_m: (n,) arclengths [m], before they are clipped.
+    strain: (n, 6) shear x, shear y, stretch (1: none) [-]; curvature x, y, twist [1/m].
+    wrench: (n, 6) of the section alone: force [N], moment [N m], in its own axes.
+    tension_N: (n, ntendon) of the tendons there; 0 past their ends [N].
+    """
+
+    s_m: Array
+    strain: Array
+    wrench: Array
+    tension_N: Array
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Derivatives:
-    """Derivatives of the pose at s as body twists (g^-1 dg/dx)^vee, linear part first [m/.., rad/..]."""
+    """Derivatives of the pose at s as body twists (g^-1 dg/dx)^vee, linear part first [m/.., rad/..].
 
-    by_tension_per_N: np.ndarray  #: (ntendon, 6); 0 where the pulled length is given
-    by_pull_per_m: np.ndarray  #: (ntendon, 6); 0 where the tension is given
-    by_load_factor: np.ndarray  #: (nload, 6)
-    compliance_space: np.ndarray  #: (6, 6) column j: by entry j of the tip's wrench, fixed in space
-    compliance_body: np.ndarray  #: (6, 6) ... turning with the tip
-    by_base: np.ndarray  #: (6, 6) by the base's body twist
-    length_by_tension_m_per_N: np.ndarray  #: (ntendon, ntendon) of tendons' lengths
+    by_tension_per_N: (ntendon, 6) by tensions [m/N, rad/N]; 0 where the pulled length is given.
+    by_pull_per_m: (ntendon, 6) by pulled lengths [m/m, rad/m]; 0 where the tension is given.
+    by_load_factor: (nload, 6) by the factors of loads [m, rad].
+    compliance_space: (6, 6) column j: by entry j of the tip's wrench, fixed in space [m, rad per N, N m].
+    compliance_body: (6, 6) the same, turning with the tip [m, rad per N, N m].
+    by_base: (6, 6) by the base's body twist [m, rad per m, rad].
+    length_by_tension_m_per_N: (ntendon, ntendon) of tendons' lengths by tensions [m/N].
+    """
+
+    by_tension_per_N: Array
+    by_pull_per_m: Array
+    by_load_factor: Array
+    compliance_space: Array
+    compliance_body: Array
+    by_base: Array
+    length_by_tension_m_per_N: Array
 
 
 class State(Handle):
@@ -89,30 +132,27 @@ class State(Handle):
     def __init__(self, rod: Rod) -> None:
         super().__init__(make(library.stiffaxis_state_make, rod._handle), library.stiffaxis_state_free)
         n, m = rod.ntendon, rod.nload
-        self._shapes = {"tension_N": (n,), "pull_m": (n,), "load": (m,), "base": (4, 4)}
+        self._shapes: Dict[str, Tuple[int, ...]] = {"tension_N": (n,), "pull_m": (n,), "load": (m,), "base": (4, 4)}
         self._rows = {name: np.zeros(shape) for name, shape in self._shapes.items()}
         self._length, self._found = np.zeros(n), np.zeros(n)
-        self._request, self._answer = RequestData(), SolutionData()
+        room = bytearray(ctypes.sizeof(SolutionData))
+        self._request, self._answer = RequestData(), SolutionData.from_buffer(room)
         self._answer.tendon_length, self._answer.tension = self._length.ctypes.data, self._found.ctypes.data
         self._addresses = {name: row.ctypes.data for name, row in self._rows.items()}
         self._request_at, self._answer_at = ctypes.addressof(self._request), ctypes.addressof(self._answer)
-        self._position = np.frombuffer(self._answer, np.float64, 3, SolutionData.tip_position.offset)
-        self._rotation = np.frombuffer(self._answer, np.float64, 9, SolutionData.tip_rotation.offset).reshape(3, 3)
+        self._position = np.frombuffer(room, np.float64, 3, SolutionData.tip_position.offset)
+        self._rotation = np.frombuffer(room, np.float64, 9, SolutionData.tip_rotation.offset).reshape(3, 3)
         self._lock = threading.Lock()
         self._ntendon, self._nload, self._points, self._length_m = n, m, rod.points, rod.length_m
-
-    def close(self) -> None:
-        with self._lock:
-            super().close()
 
     def _put(self, name: str, values: Any) -> Optional[int]:
         """Copies what a request gives to where the library reads it; its address."""
         if values is None:
             return None
-        array = np.asarray(values, np.float64)
-        if array.shape != self._shapes[name]:
-            raise ValueError("%s has the shape %s, wanted %s" % (name, array.shape, self._shapes[name]))
-        self._rows[name][...] = array
+        array = np.asarray(values)
+        if array.dtype.kind != "f" or array.shape != self._shapes[name]:
+            array = numbers(values, self._shapes[name], name)
+        self._rows[name][...] = array  # from any layout and byte order
         return self._addresses[name]
 
     def solve(self, tension_N: Any = None, *, pull_m: Any = None, load: Any = None, tip_wrench: Any = None,
@@ -135,7 +175,7 @@ class State(Handle):
             request.pull = self._put("pull_m", pull_m)
             request.load = self._put("load", load)
             request.base = self._put("base", base)
-            request.cold, request.past, request.stability = cold, past_limit_points, stability
+            request.cold, request.past, request.stability = bool(cold), bool(past_limit_points), bool(stability)
             request.tip_space[:] = (0.0,) * 6 if tip_wrench is None else numbers(tip_wrench, (6,), "tip_wrench").tolist()
             request.tip_body[:] = (
                 (0.0,) * 6 if tip_wrench_body is None else numbers(tip_wrench_body, (6,), "tip_wrench_body").tolist())
@@ -158,18 +198,18 @@ class State(Handle):
             for c in a.critical[:a.ncritical]] if a.ncritical else []
         return out
 
-    def _places(self, where: Any) -> np.ndarray:
+    def _places(self, where: Any) -> Array:
         if where is None:
             where = self._points
         if isinstance(where, (int, np.integer)):
-            if where < 2:
+            if not 2 <= where <= MOST:
                 raise ValueError("a shape has two points or more, not %d" % where)
             # as the program has them, to the last bit
             length = self._length_m
             s = length * np.arange(where) / (where - 1)
             s[-1] = length
             return s
-        return numbers(where, (-1,), "places")
+        return numbers(np.atleast_1d(where), (-1,), "places")
 
     def shape(self, places: Any = None) -> Shape:
         """The last answer's centreline at so many equally spaced points (None: as many as the case asks for), or at these
@@ -181,7 +221,7 @@ class State(Handle):
         return Shape(s, position, rotation)
 
     def along(self, places: Any = None) -> Along:
-        """Strains, wrenches and tensions of the last answer; places as in ``shape``."""
+        """Strains, wrenches and tensions of the last answer; places (n,) [m] as in ``shape``."""
         s = self._places(places)
         strain, wrench, tension = np.empty((len(s), 6)), np.empty((len(s), 6)), np.empty((len(s), self._ntendon))
         with self._lock:
@@ -206,14 +246,21 @@ class Rod(Handle):
 
     ``solve``, ``shape``, ``along`` and ``derivatives`` work on a ``State`` of the calling thread's own: any number of threads may
     share one rod.
+
+    length_m: [m]. ntendon, nload: how many tendons and loads. points: of the shapes that the case asks for.
     """
 
-    def __init__(self, handle: int) -> None:
-        super().__init__(handle, library.stiffaxis_rod_free)
-        self.length_m: float = library.stiffaxis_rod_length(handle)  #: [m]
-        self.ntendon: int = library.stiffaxis_rod_tendons(handle)
-        self.nload: int = library.stiffaxis_rod_loads(handle)
-        self.points: int = library.stiffaxis_rod_points(handle)  #: of the shapes that the case asks for
+    def __init__(self, pointer: int) -> None:
+        super().__init__(pointer, library.stiffaxis_rod_free)
+        self.length_m: float = library.stiffaxis_rod_length(pointer)
+        self.ntendon: int = library.stiffaxis_rod_tendons(pointer)
+        self.nload: int = library.stiffaxis_rod_loads(pointer)
+        self.points: int = library.stiffaxis_rod_points(pointer)
+        self._own = threading.local()
+
+    def close(self) -> None:
+        """As every handle's; the threads' own last answers go, too. A ``State`` that was asked for stays."""
+        super().close()
         self._own = threading.local()
 
     def _names(self, function: Any, count: int) -> Tuple[str, ...]:
@@ -225,22 +272,23 @@ class Rod(Handle):
 
     @property
     def tendons(self) -> Tuple[str, ...]:
-        """Their names, or kind and number."""
+        """(ntendon,) their names, or kind and number."""
         return self._names(library.stiffaxis_rod_tendon_name, self.ntendon)
 
     @property
     def loads(self) -> Tuple[str, ...]:
-        """Point loads, line loads, then gravity where there is any."""
+        """(nload,) names: point loads, line loads, then gravity where there is any."""
         return self._names(library.stiffaxis_rod_load_name, self.nload)
 
     @property
-    def critical_tension_N(self) -> np.ndarray:
+    def critical_tension_N(self) -> Array:
         """(ntendon,) the tension at which each alone eats its own length [N]."""
         return np.array([library.stiffaxis_rod_critical_tension(self._handle, i) for i in range(self.ntendon)])
 
     @property
-    def requests(self) -> List[dict]:
-        """The solutions that the case asks for, as arguments of ``solve``: tension_N, pull_m (ntendon,), load (nload,)."""
+    def requests(self) -> List[Dict[str, Array]]:
+        """The solutions that the case asks for, as arguments of ``solve``: tension_N (ntendon,) [N], pull_m (ntendon,) [m], load
+        (nload,) [-]."""
         all_of_them = []
         for i in range(library.stiffaxis_rod_solutions(self._handle)):
             t, p, f = np.zeros(self.ntendon), np.zeros(self.ntendon), np.zeros(self.nload)
@@ -254,29 +302,29 @@ class Rod(Handle):
 
     def _state(self) -> State:
         self._handle
-        try:
-            return self._own.state
-        except AttributeError:
-            self._own.state = State(self)
-            return self._own.state
+        own = self._own
+        state: Optional[State] = getattr(own, "state", None)
+        if state is None:
+            state = own.state = State(self)
+        return state
 
     def solve(self, tension_N: Any = None, **request: Any) -> Solution:
-        """``State.solve`` of the calling thread's state."""
+        """``State.solve`` of the calling thread's state: tension_N (ntendon,) [N], and its other arguments."""
         return self._state().solve(tension_N, **request)
 
     def shape(self, places: Any = None) -> Shape:
-        """``State.shape`` of the calling thread's last answer."""
+        """``State.shape`` of the calling thread's last answer: positions (n, 3) [m] and rotations (n, 3, 3)."""
         return self._state().shape(places)
 
     def along(self, places: Any = None) -> Along:
-        """``State.along`` of the calling thread's last answer."""
+        """``State.along`` of the calling thread's last answer: strains and wrenches (n, 6), tensions (n, ntendon) [N]."""
         return self._state().along(places)
 
     def derivatives(self, s_m: Optional[float] = None) -> Derivatives:
-        """``State.derivatives`` of the calling thread's last answer."""
+        """``State.derivatives`` of the calling thread's last answer, at s_m [m]."""
         return self._state().derivatives(s_m)
 
-    def batch(self, tensions_N: Any, threads: int = 0) -> Tuple[np.ndarray, np.ndarray, np.ndarray]:
+    def batch(self, tensions_N: Any, threads: int = 0) -> Tuple[Array, Array, NDArray[np.intc]]:
         """Tips for rows of tensions (n, ntendon) [N] on so many threads (0: all cores), each from rest.
 
         Positions (n, 3) [m], rotations (n, 3, 3) and outcomes (n,): 0, or the code of what failed, with nan in its row.
@@ -284,6 +332,6 @@ class Rod(Handle):
         rows = numbers(tensions_N, (-1, self.ntendon), "tensions_N")
         position, rotation = np.empty((len(rows), 3)), np.empty((len(rows), 3, 3))
         outcome = np.empty(len(rows), np.intc)
-        check(library.stiffaxis_batch(self._handle, threads, len(rows), rows.ctypes.data, None, position.ctypes.data,
+        check(library.stiffaxis_batch(self._handle, min(index(threads), MOST), len(rows), rows.ctypes.data, None, position.ctypes.data,
                                       rotation.ctypes.data, outcome.ctypes.data))
         return position, rotation, outcome

@@ -9,33 +9,49 @@ from typing import Any, Iterator, Tuple
 import numpy as np
 
 from ._handle import Handle
-from ._library import Settings, StationData, check, library, make, numbers, settings_arguments
+from ._library import Array, Settings, StationData, check, library, make, numbers, settings_arguments
 from ._rod import Rod
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Station:
     """One cross section; the names are the keys of ``stiffaxis section --json``.
 
     Places are from the origin of the case's x and y (the geometric centre), angles from x. ``EA``, ``EI`` and ``GJ`` are those
-    of a section that is free to shear and twist; ``EI_Nm2`` about the principal axes x' and y' at the stiffness centre.
+    of a section that is free to shear and twist.
+
+    s_m: arclength [m].
+    area_m2: [m^2].
+    EA_N: [N].
+    stiffness_centre_m: (2,) where an axial force makes no curvature [m].
+    principal_angle_rad: of the principal axis x' [rad].
+    isotropic: no preferred axes: the angle is 0 by convention.
+    EI_Nm2: (2,) about the principal axes x' and y' at the stiffness centre [N m^2].
+    EI_centre_Nm2: (3,) EIxx, EIyy, EIxy about the stiffness centre [N m^2].
+    GJ_Nm2: [N m^2].
+    shear_centre_m: (2,) where a transverse force makes no twist [m].
+    K: (6, 6) rows nx ny nz mx my mz at the geometric centre [N, N m, N m^2].
+    relative_error: of K, an estimate: the largest of ``K_relative_error`` [-].
+    K_relative_error: (6, 6) of |K - K_exact|_ij / sqrt(K_ii K_jj) [-].
+    mass_kg_per_m: per length; 0 where no density is known [kg/m].
+    mass_centre_m: (2,) [m].
     """
 
     s_m: float
     area_m2: float
     EA_N: float
-    stiffness_centre_m: np.ndarray  #: (2,) where an axial force makes no curvature [m]
+    stiffness_centre_m: Array
     principal_angle_rad: float
-    isotropic: bool  #: no preferred axes: the angle is 0 by convention
-    EI_Nm2: np.ndarray  #: (2,) about x', about y' [N m^2]
-    EI_centre_Nm2: np.ndarray  #: (3,) EIxx, EIyy, EIxy about the stiffness centre [N m^2]
+    isotropic: bool
+    EI_Nm2: Array
+    EI_centre_Nm2: Array
     GJ_Nm2: float
-    shear_centre_m: np.ndarray  #: (2,) where a transverse force makes no twist [m]
-    K: np.ndarray  #: (6, 6) rows nx ny nz mx my mz at the geometric centre [N, N m, N m^2]
-    relative_error: float  #: an estimate: the largest of
-    K_relative_error: np.ndarray  #: (6, 6) of |K - K_exact|_ij / sqrt(K_ii K_jj)
-    mass_kg_per_m: float  #: 0 where no density is known
-    mass_centre_m: np.ndarray  #: (2,) [m]
+    shear_centre_m: Array
+    K: Array
+    relative_error: float
+    K_relative_error: Array
+    mass_kg_per_m: float
+    mass_centre_m: Array
 
 
 def _station(d: StationData) -> Station:
@@ -51,9 +67,9 @@ def _station(d: StationData) -> Station:
 class Section(Handle):
     """The solved sections of a case: a sequence of ``Station``, and K(s) between them. Made by ``Case.section``."""
 
-    def __init__(self, handle: int) -> None:
-        super().__init__(handle, library.stiffaxis_section_free)
-        count = library.stiffaxis_section_count(handle)
+    def __init__(self, pointer: int) -> None:
+        super().__init__(pointer, library.stiffaxis_section_free)
+        count = library.stiffaxis_section_count(pointer)
         self._stations = tuple(self._read(i) for i in range(count))
 
     def _read(self, i: int) -> Station:
@@ -78,22 +94,22 @@ class Section(Handle):
     @property
     def sections_solved(self) -> int:
         """How many sections were solved: turned or equal ones need not be."""
-        return library.stiffaxis_section_solved(self._handle)
+        return int(library.stiffaxis_section_solved(self._handle))
 
     @property
     def interpolation_relative_error(self) -> float:
-        """Of K(s) between the stations, an estimate."""
-        return library.stiffaxis_section_interpolation_error(self._handle)
+        """Of K(s) between the stations, an estimate [-]."""
+        return float(library.stiffaxis_section_interpolation_error(self._handle))
 
-    def stiffness(self, s_m: Any) -> np.ndarray:
+    def stiffness(self, s_m: Any) -> Array:
         """K at arclengths s_m [m]: (6, 6) for one, (n, 6, 6) for n of them [N, N m, N m^2]; clipped to the length."""
         return self._at(s_m, False)[0]
 
-    def stiffness_and_slope(self, s_m: Any) -> Tuple[np.ndarray, np.ndarray]:
-        """K and dK/ds, both as ``stiffness``; the slope per metre."""
+    def stiffness_and_slope(self, s_m: Any) -> Tuple[Array, Array]:
+        """K and dK/ds at arclengths s_m [m]: two arrays as ``stiffness`` has them, (6, 6) or (n, 6, 6); the slope per metre."""
         return self._at(s_m, True)
 
-    def _at(self, s_m: Any, slope: bool) -> Tuple[np.ndarray, np.ndarray]:
+    def _at(self, s_m: Any, slope: bool) -> Tuple[Array, Array]:
         single = np.ndim(s_m) == 0
         s = numbers([s_m] if single else s_m, (-1,), "s_m")
         K = np.empty((len(s), 6, 6))

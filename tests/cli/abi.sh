@@ -1,6 +1,7 @@
 #!/bin/sh
 # The C libraries show the names of cmake/abi/*.txt and no others, a name that went away or was renamed breaks who uses it; what is
-# listed is declared in their headers; sections and rods load neither MPI nor gmsh nor HDF5.
+# listed is declared in their headers; structs lie as cmake/abi/*_layout.txt has them; sections and rods load neither MPI nor gmsh
+# nor HDF5.
 set -u
 . "$STIFFAXIS_SOURCE/tests/cli/helpers"
 build=$(dirname "$program")
@@ -37,7 +38,36 @@ for library in stiffaxis stiffaxis_rod; do
         fail "the headers of lib$library.so declare other names than it lists: $(grep '^[<>]' "$work/difference" | tr '\n' ' ')"
 done
 
-# the check itself works: a name less, and one more
+# layout INCLUDE MAIN HEADER...: how the structs of these headers lie in memory
+layout() {
+    folder=$1
+    echo "#include <$2>" >"$work/layout.c"
+    shift 2
+    awk -f "$source/cmake/abi/layout.awk" "$@" >>"$work/layout.c"
+    cc -std=c11 -I "$folder" "$work/layout.c" -o "$work/layout" && "$work/layout"
+}
+
+# held NAME INCLUDE MAIN HEADER...
+held() {
+    grep -v '^#' "$source/cmake/abi/$1_layout.txt" >"$work/listed_layout"
+    library=$1
+    shift
+    layout "$@" >"$work/seen_layout" || fail "no layout of lib$library"
+    diff "$work/listed_layout" "$work/seen_layout" >"$work/difference" ||
+        fail "structs of lib$library lie differently: $(grep '^[<>]' "$work/difference" | tr -s ' \n' ' ')"
+}
+held stiffaxis "$ninja_dir/include_api" stiffaxis/stiffaxis.h "$source/api/stiffaxis.h"
+parts=$(cd "$source" && sed -n '/^set(ROD_HEADERS/,/)/p' cmake/rod_library.cmake | grep -oE '[a-z]+/[a-z0-9_]+\.h')
+# shellcheck disable=SC2086
+held stiffaxis_rod "$ninja_dir/include" stiffaxis/rod.h $(printf "$source/%s\n" $parts)
+
+# the check itself works: a member more at an end that had room, a longer one, another constant; a name less
+mkdir -p "$work/other/stiffaxis"
+for change in 's/int isotropic;/int isotropic, more;/' 's/double shear_centre.2./double shear_centre[3]/' 's/STIFFAXIS_BUG = 6/STIFFAXIS_BUG = 7/'; do
+    sed "$change" "$source/api/stiffaxis.h" >"$work/other/stiffaxis/stiffaxis.h"
+    layout "$work/other" stiffaxis/stiffaxis.h "$work/other/stiffaxis/stiffaxis.h" >"$work/seen_layout" || fail "$change"
+    grep -v '^#' "$source/cmake/abi/stiffaxis_layout.txt" | diff -q - "$work/seen_layout" >/dev/null && fail "not seen: $change"
+done
 sed 1,2d "$work/shown" | diff -q "$work/listed" - >/dev/null && fail 'a name that went away is not seen'
 
 for heavy in mpi gmsh hdf5 petsc cairo; do

@@ -35,6 +35,16 @@ fi
 # ... and without the library
 expect 1 env STIFFAXIS_LIBRARY=/nowhere/libstiffaxis.so "$python" -c 'import stiffaxis'
 err '/nowhere/libstiffaxis.so cannot be used'
+# ... and with one of another version, or of a time when there were other functions
+{
+    echo 'const char *stiffaxis_version(void) { return "9.8.7"; }'
+    grep '^stiffaxis' "$source/cmake/abi/stiffaxis.txt" | grep -v version | sed 's/.*/int &(void) { return 0; }/'
+} >"$work/other.c"
+cc -shared -fPIC "$work/other.c" -o "$work/libother.so" && sed -e /stiffaxis_solve/d -e s/9.8.7/0.1.0/ "$work/other.c" | cc -shared -fPIC -x c - -o "$work/libold.so"
+expect 1 env STIFFAXIS_LIBRARY="$work/libother.so" "$python" -c 'import stiffaxis'
+err 'libother.so is version 9.8.7, this module 0.1.0'
+expect 1 env STIFFAXIS_LIBRARY="$work/libold.so" "$python" -c 'import stiffaxis'
+err 'undefined symbol: stiffaxis_solve'
 
 # same CASE [--set SETTING]...: Python's numbers and the program's
 same() {
@@ -48,7 +58,12 @@ same "$source/cases/helical_nc.yaml" --set section.model=classical
 same "$source/cases/loaded_nc.yaml" --set section.model=classical --set rod.derivatives=true
 same "$source/cases/pulled_tube.yaml"
 
+"$python" "$source/tests/python/declared.py" "$source" || fail 'declared.py'
 "$python" "$source/tests/python/errors.py" "$source/cases/constant_nc.yaml" || fail 'errors.py'
+(cd "$work" && "$python" "$source/tests/python/arrays.py" "$source/cases/constant_nc.yaml") || fail 'arrays.py'
+mkdir "$work/locales"
+localedef -i de_DE -f UTF-8 "$work/locales/de_DE.UTF-8" 2>/dev/null # where the package `locales` is there
+LOCPATH=$work/locales "$python" "$source/tests/python/sharing.py" "$source/cases/constant_nc.yaml" || fail 'sharing.py'
 
 # --- what a solve costs, against the same solves from C
 headers=$(dirname "$(dirname "$program")")/include_api
