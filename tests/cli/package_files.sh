@@ -35,6 +35,15 @@ done
 for package in libstiffaxis libstiffaxis-rod; do
     grep -q "^Package: $package$major\$" debian/control || fail "no package $package$major"
 done
+# ... and the names that these show, as cmake/abi lists them
+for name in stiffaxis stiffaxis_rod; do
+    grep '^[a-z]' "cmake/abi/$name.txt" | sort >"$work/listed"
+    sed -n 's/^ \([a-z0-9_]*\)@.* [0-9.]*$/\1/p' "debian/lib$(echo $name | tr _ -)$major.symbols" | sort >"$work/symbols"
+    diff "$work/listed" "$work/symbols" || fail "the symbols of lib$name are not those of cmake/abi/$name.txt"
+done
+for test in $(sed -n 's/^Tests: *//p' debian/tests/control); do
+    [ -x "debian/tests/$test" ] && sh -n "debian/tests/$test" || fail "debian/tests/$test cannot be run"
+done
 for file in debian/*.install; do
     package=$(basename "$file" .install)
     grep -q "^Package: $package\$" debian/control || fail "$file is of no package"

@@ -69,10 +69,15 @@ inside stiffaxis doctor >"$root/root/doctor.log" 2>&1 || code=$?
 # apt asks for what is recommended only where the package is new
 inside apt-get remove -y -qq stiffaxis >>"$root/root/install.log" 2>&1
 install '/root/packages/*.deb'
-inside stiffaxis doctor
-inside sh -c 'cd /root && stiffaxis run case.yaml --out results --force --quiet' | tail -n 1
-inside python3 -c '
-import stiffaxis
-case = stiffaxis.Case("/root/case.yaml")
-print("python3-stiffaxis", stiffaxis.__version__, "reads", case.title)'
+# what autopkgtest runs, with what it would install
+install --no-install-recommends "$(sed -n 's/^Depends: *//p' "$source/debian/tests/control" | tr ',\n' '  ')"
+cp -r "$source/debian/tests" "$root/root/"
+for name in $(sed -n 's/^Tests: *//p' "$source/debian/tests/control"); do
+    start=$(now)
+    inside "/root/tests/$name" || {
+        say "debian/tests/$name failed"
+        exit 1
+    }
+    say "debian/tests/$name passed in $(($(now) - start)) s"
+done
 inside sh -c 'dpkg -V stiffaxis libstiffaxis0 libstiffaxis-rod0 python3-stiffaxis'

@@ -71,6 +71,9 @@ static void a_state_outlives_what_it_was_made_from(void)
     double tension[2], pull[2], end[3];
     char name[16];
     CHECK(stiffaxis_state_make(rod, &state) == STIFFAXIS_OK);
+    CHECK(stiffaxis_shape(state, 1, NULL, end, NULL) == STIFFAXIS_INPUT); // there is no answer
+    stiffaxis_case_free(NULL);
+    CHECK(strstr(stiffaxis_error(), "before a solution")); // what is freed takes no words along
     CHECK(stiffaxis_rod_solutions(rod) == 2 && stiffaxis_rod_loads(rod) == 0);
     CHECK(stiffaxis_rod_solution(rod, 1, tension, pull, NULL) == STIFFAXIS_OK);
     CHECK(tension[1] == 0.67 && pull[1] != pull[1]);
@@ -87,6 +90,9 @@ static void a_state_outlives_what_it_was_made_from(void)
     tension[0] = -1;
     CHECK(stiffaxis_solve(state, &request, &answer) == STIFFAXIS_INPUT);
     CHECK(stiffaxis_error()[0] != '\0');
+    CHECK(stiffaxis_shape(state, 1, NULL, end, NULL) == STIFFAXIS_INPUT); // nor after a failure
+    CHECK(stiffaxis_along(state, 1, NULL, NULL, NULL, NULL) == STIFFAXIS_INPUT);
+    CHECK(stiffaxis_derive(state, 0, &(stiffaxis_derivatives){0}) == STIFFAXIS_INPUT);
     stiffaxis_state_free(state);
 }
 
