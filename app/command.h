@@ -30,6 +30,7 @@ struct command {
     const char *out; // --out DIR; NULL: nothing is written
     int noverride;
     const char *overrides[COMMAND_MAX_OVERRIDES]; // KEY=VALUE, as given
+    FILE *warnings;                               // warnings go there too; NULL: to stderr alone
     int summary_lines;
     bool first_rank; // false on the other processes of an mpirun: they compute, and stay silent
     bool answered;   // the JSON document was printed

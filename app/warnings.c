@@ -6,6 +6,7 @@
 
 #include <math.h>
 #include <stdarg.h>
+#include <stdio.h>
 
 // places along a tendon that are looked at, ends included
 enum { TENDON_SAMPLES = 17 };
@@ -23,18 +24,20 @@ static const double HARDLY_GRADED = 1e-2;
 
 void warn_at(const command *cmd, const case_data *c, mark at, const char *format, ...)
 {
-    char where[CONFIG_PLACE_TEXT];
+    char where[CONFIG_PLACE_TEXT], words[600];
     if (!cmd->first_rank) {
         return;
     }
     command_progress(cmd, NULL);
     config_place_text(c->config, at, where);
-    fprintf(stderr, "%swarning: ", where);
     va_list args;
     va_start(args, format);
-    (void)vfprintf(stderr, format, args);
+    (void)vsnprintf(words, sizeof words, format, args);
     va_end(args);
-    (void)fputc('\n', stderr);
+    fprintf(stderr, "%swarning: %s\n", where, words);
+    if (cmd->warnings) {
+        fprintf(cmd->warnings, "%swarning: %s\n", where, words);
+    }
 }
 
 static status section_reach(const case_data *c, double s, double *reach)

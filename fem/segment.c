@@ -6,6 +6,7 @@
 #include "base/memory.h"
 #include "fem/after.h"
 #include "fem/blas.h"
+#include "fem/doubling_plan.h"
 #include "fem/segment_plan.h"
 #include "fem/segment_problem.h"
 #include "fem/segment_way.h"
@@ -278,5 +279,36 @@ status segment_solve(const segment_case *c, const segment_source *source, const 
 done:
     problem_parts_free(&k.parts);
     segment_result_free(&r);
+    return st;
+}
+
+status segment_forecast_make(const segment_case *c, const segment_source *source,
+                             segment_forecast *out)
+{
+    status st = OK;
+    climb k = {.c = c, .source = source};
+    rung at = {0};
+    way_cost cost = {0};
+    const segment_climb steps = segment_climb_of(c);
+    TRY(problem_parts_make(c, &k.parts));
+    TRY(rung_make(&k, steps.first < steps.last ? steps.first + 1 : steps.last, &at));
+    segment_problem problem = k.parts.problem;
+    problem.body = &at.body;
+    const int way = segment_way_choose(c->way, &problem, &cost, NULL);
+    // a doubled slab stands for as many layers as fit on one another
+    const long long levels =
+        way == WAY_DOUBLING ? (long long)at.body.order << doubling_count(&at.body) : at.body.nlevel;
+    *out = (segment_forecast){.order = at.plan.order,
+                              .layers = at.plan.nlayer,
+                              .plane_nodes = at.plane.nnode,
+                              .size = at.plan.mesh.size,
+                              .dofs = 3 * levels * at.plane.nnode,
+                              .way = segment_way_name(way),
+                              .seconds = cost.seconds,
+                              .bytes = cost.bytes};
+
+done:
+    rung_free(&k, &at);
+    problem_parts_free(&k.parts);
     return st;
 }

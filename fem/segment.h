@@ -230,6 +230,19 @@ status segment_solve(const segment_case *c, const segment_source *source, const 
                      int keep_fields, segment_result *out);
 void segment_result_free(segment_result *r);
 
+// What the mesh that counts takes, from counts alone: nothing is solved, no library is started but
+// for what `plane` starts. With a tolerance it is the mesh on which loads of its kind usually meet
+// it.
+typedef struct segment_forecast {
+    int order, layers, plane_nodes;
+    double size;           // of the section's elements [m]; 0: chosen from the outlines
+    long long dofs;        // held ones among them, unless slabs are doubled
+    const char *way;       // what the cost model takes, or the case
+    double seconds, bytes; // of it, on one rank
+} segment_forecast;
+status segment_forecast_make(const segment_case *c, const segment_source *source,
+                             segment_forecast *out);
+
 // The law of the section by 3D FEM, from the middle of a column of its own with these plane
 // elements, clamped, capped and 32 radii long: a short segment has no middle free of its ends.
 // relative_error counts the mesh's order and what the ends still do.

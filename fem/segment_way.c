@@ -86,17 +86,27 @@ void segment_share(body_spec *spec)
     }
 }
 
-status segment_way_solve(int asked, const segment_problem *p, const way_wants *wants, way_run *run,
-                         int *taken, char why[SEGMENT_WHY_WORDS])
+int segment_way_choose(int asked, const segment_problem *p, way_cost *out, char *why)
 {
-    status st = OK;
     way_cost cost[WAY_ITERATIVE + 1] = {{0}};
     const int nrank = from_environment("OMPI_COMM_WORLD_SIZE", 1);
     for (int w = WAY_DOUBLING; w <= WAY_ITERATIVE; w++) {
         cost[w] = ways[w].cost(p, nrank);
     }
-    *taken = asked != WAY_AUTO ? asked : cheapest(cost, memory_of_rank(nrank));
-    tell(cost, asked, why);
+    const int taken = asked != WAY_AUTO ? asked : cheapest(cost, memory_of_rank(nrank));
+    *out = cost[taken];
+    if (why) {
+        tell(cost, asked, why);
+    }
+    return taken;
+}
+
+status segment_way_solve(int asked, const segment_problem *p, const way_wants *wants, way_run *run,
+                         int *taken, char why[SEGMENT_WHY_WORDS])
+{
+    status st = OK;
+    way_cost cost = {0};
+    *taken = segment_way_choose(asked, p, &cost, why);
     TRY(ways[*taken].solve(p, wants, run));
 
 done:

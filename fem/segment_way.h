@@ -9,6 +9,10 @@ enum { SEGMENT_WHY_WORDS = 200 };
 // Before body_make, under mpirun: the levels that this rank must hold, where that is not all.
 void segment_share(body_spec *spec);
 
+// The case's way, or the cheapest, and what it will take. why: what the choice was made by, in
+// words; NULL: nobody asks.
+int segment_way_choose(int asked, const segment_problem *p, way_cost *out, char *why);
+
 // *taken: segment_way; why: what the choice was made by, in words.
 status segment_way_solve(int asked, const segment_problem *p, const way_wants *wants, way_run *run,
                          int *taken, char why[SEGMENT_WHY_WORDS]);

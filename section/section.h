@@ -183,8 +183,13 @@ status section_along(const section_case *c, const material *materials, double le
 void section_result_free(section_result *r);
 
 // What section_solve refuses at arclength s as the case's mistake, without solving: the outlines,
-// and the mesh where one is needed. libraries false: not where the mesh would start one.
-status section_check(const section_case *c, const material *materials, double s, bool libraries);
+// and the mesh where one is needed. libraries false: not where the mesh would start one. out: that
+// mesh, without nodes where none was made; NULL: nobody asks.
+status section_check(const section_case *c, const material *materials, double s, bool libraries,
+                     mesh *out);
+
+// The area of each material on a mesh [nmaterial] [m^2].
+status section_areas(const mesh *m, int nmaterial, double *area);
 
 // The mesh at arclength s; section_mesh_with: by other options than the case's, as a station's.
 status section_mesh_at(const section_case *c, double s, mesh *out);

@@ -105,7 +105,8 @@ done:
     return st;
 }
 
-status section_check(const section_case *c, const material *materials, double s, bool libraries)
+status section_check(const section_case *c, const material *materials, double s, bool libraries,
+                     mesh *out)
 {
     status st = OK;
     section_place p = {0};
@@ -119,6 +120,10 @@ status section_check(const section_case *c, const material *materials, double s,
     const bool mapped = p.drawn && c->mesh.kind != MESH_FREE && section_mesh_is_mapped(&p.outline);
     if (!closed && (libraries || mapped || c->mesh.kind == MESH_MAPPED)) {
         TRY(section_place_mesh(c, &p, &c->mesh, &m));
+    }
+    if (out) {
+        *out = m;
+        m = (mesh){0};
     }
 
 done:

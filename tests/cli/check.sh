@@ -1,0 +1,47 @@
+#!/bin/sh
+# What `check` says it has understood is what the other commands then do.
+set -u
+leaks=yes
+. "$STIFFAXIS_SOURCE/tests/cli/helpers"
+cases=$source/cases
+
+expect 0 "$program" check "$cases/fig4.yaml"
+out 'fig4.yaml: good: 2 materials, 2 shapes, segment of 20 mm with 2 loads'
+out 'soft: E 0.66 MPa, nu 0.3, close to linear up to 5 % of strain'
+out 'later ones on top: annulus of soft, sector of stiff'
+# the ring of 4 and 3.2 mm has 18.096 mm^2, the sector of pi/8 a sixteenth of it
+out '16.965 mm2 of soft, 1.131 mm2 of stiff'
+out 'absent       rod, measured, sensitivity, fit, reach'
+out "2 loads: 'geometric centre', 'stiffness centre'"
+out 'defaults     fem: body along, method auto'
+expect 0 "$program" check "$cases/fig4.yaml" --set fem.method=direct
+out 'defaults     fem: body along, tolerance'
+out 'method direct'
+
+# the unknowns are those that are solved for
+dofs() {
+    sed -n 's/.*"dofs": \([0-9]*\).*/\1/p' "$work/out"
+}
+expect 0 "$program" check "$cases/fig4.yaml" --json
+foreseen=$(dofs)
+expect 0 "$program" fem "$cases/fig4.yaml" --json
+[ -n "$foreseen" ] && [ "$foreseen" = "$(dofs)" ] || fail "check foresees $foreseen unknowns, fem has $(dofs)"
+
+# paths, solutions and files
+expect 0 "$program" check "$cases/pulled_tube.yaml"
+out 'wind: from (0, 3.6) to (-3.6, 0) mm, anchored at s = 90 mm, friction 0.15'
+out '4 solutions: tensions up to 0.1 N, pulled lengths given; each reached from rest'
+expect 0 "$program" check "$cases/precurved.yaml"
+out 'curved or twisted at rest, its base placed by `base`'
+out 'each reached from the one before it'
+expect 0 "$program" check "$cases/voxel_stack/voxel_stack.yaml" --json
+out '"slice_%02d.png"'
+out '24 slices of 5 mm'
+expect 0 "$program" check "$cases/helical_nc.yaml"
+out 'classical: integrals of E and G in closed form, Eq. 11 and 12; at stations chosen by how it varies'
+
+# warnings with their place, in the document too
+expect 0 "$program" check "$cases/fig4.yaml" --set fem.length_mm=2 --json
+err 'warning: the segment is 0.5 radii long'
+out "warning: the segment is 0.5 radii long"
+finish
