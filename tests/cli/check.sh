@@ -38,7 +38,7 @@ expect 0 "$program" check "$cases/voxel_stack/voxel_stack.yaml" --json
 out '"slice_%02d.png"'
 out '24 slices of 5 mm'
 expect 0 "$program" check "$cases/helical_nc.yaml"
-out 'classical: integrals of E and G in closed form, Eq. 11 and 12; at stations chosen by how it varies'
+out 'classical: integrals of E and G in closed form, Eq. 11 and 12; at stations chosen by how it'
 
 # warnings with their place, in the document too
 expect 0 "$program" check "$cases/fig4.yaml" --set fem.length_mm=2 --json
