@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/status.h"
+#include "tests/record.h"
 
 #include <math.h>
 #include <stdbool.h>
@@ -17,19 +18,30 @@ static inline bool test_is_long(void)
     return getenv("STIFFAXIS_LONG") != NULL;
 }
 
+// what a check judges goes to its record too, tests/record.h
+#define RECORD(text, value_, wanted_, error_, tolerance_, holds_)                                  \
+    do {                                                                                           \
+        static record_place place_ = {.file = __FILE__, .line = __LINE__, .what = text};           \
+        record(&place_, __func__, (record_numbers){value_, wanted_, error_, tolerance_, holds_});  \
+    } while (0)
+
 #define CHECK(condition)                                                                           \
     do {                                                                                           \
-        if (!(condition)) {                                                                        \
+        const bool holds_ = (condition);                                                           \
+        RECORD(#condition, NAN, NAN, NAN, NAN, holds_);                                            \
+        if (!holds_) {                                                                             \
             test_failures++;                                                                       \
             printf("%s:%d: %s does not hold\n", __FILE__, __LINE__, #condition);                   \
         }                                                                                          \
     } while (0)
 
-// |value - wanted| <= tolerance * max(|wanted|, floor of 1e-300); written so that a NaN fails
+// |value - wanted| <= tolerance * |wanted|; written so that a NaN fails
 #define CHECK_NEAR(value, wanted, tolerance)                                                       \
     do {                                                                                           \
         const double v_ = (value), w_ = (wanted), t_ = (tolerance);                                \
-        if (!(fabs(v_ - w_) <= t_ * fabs(w_))) {                                                   \
+        const bool holds_ = fabs(v_ - w_) <= t_ * fabs(w_);                                        \
+        RECORD(#value, v_, w_, fabs(v_ - w_), t_ *fabs(w_), holds_);                               \
+        if (!holds_) {                                                                             \
             test_failures++;                                                                       \
             printf("%s:%d: %s = %.15g, wanted %.15g, relative difference %.3g > %.3g\n", __FILE__, \
                    __LINE__, #value, v_, w_, fabs(v_ - w_) / fabs(w_), t_);                        \
@@ -40,10 +52,24 @@ static inline bool test_is_long(void)
 #define CHECK_WITHIN(value, wanted, tolerance)                                                     \
     do {                                                                                           \
         const double v_ = (value), w_ = (wanted), t_ = (tolerance);                                \
-        if (!(fabs(v_ - w_) <= t_)) {                                                              \
+        const bool holds_ = fabs(v_ - w_) <= t_;                                                   \
+        RECORD(#value, v_, w_, fabs(v_ - w_), t_, holds_);                                         \
+        if (!holds_) {                                                                             \
             test_failures++;                                                                       \
             printf("%s:%d: %s = %.15g, wanted %.15g, difference %.3g > %.3g\n", __FILE__,          \
                    __LINE__, #value, v_, w_, fabs(v_ - w_), t_);                                   \
+        }                                                                                          \
+    } while (0)
+
+// an error, and how large it may be: value < bound
+#define CHECK_BELOW(value, bound)                                                                  \
+    do {                                                                                           \
+        const double v_ = (value), t_ = (bound);                                                   \
+        const bool holds_ = v_ < t_;                                                               \
+        RECORD(#value, v_, 0, v_ < 0 ? 0 : v_, t_, holds_);                                        \
+        if (!holds_) {                                                                             \
+            test_failures++;                                                                       \
+            printf("%s:%d: %s = %.6g is not below %.6g\n", __FILE__, __LINE__, #value, v_, t_);    \
         }                                                                                          \
     } while (0)
 
@@ -51,13 +77,14 @@ static inline bool test_is_long(void)
     do {                                                                                           \
         if ((call) != OK) {                                                                        \
             test_failures++;                                                                       \
+            RECORD(#call, NAN, NAN, NAN, NAN, false);                                              \
             printf("%s:%d: %s failed: %s\n", __FILE__, __LINE__, #call, status_message());         \
             status_clear();                                                                        \
         }                                                                                          \
     } while (0)
 
 // least-squares slope of log(error) over log(h): the observed order
-static inline double observed_order(int n, const double *h, const double *error)
+static inline double slope_of(int n, const double *h, const double *error)
 {
     double sx = 0, sy = 0, sxx = 0, sxy = 0;
     for (int i = 0; i < n; i++) {
@@ -69,3 +96,14 @@ static inline double observed_order(int n, const double *h, const double *error)
     }
     return (n * sxy - sx * sy) / (n * sxx - sx * sx);
 }
+
+// the slope, its points told
+static inline double slope_told(const char *function, const char *what, const char *over, int n,
+                                const double *h, const double *error)
+{
+    const double slope = slope_of(n, h, error);
+    record_series(function, what, over, n, h, error, slope);
+    return slope;
+}
+
+#define observed_order(n, h, error) slope_told(__func__, #error, #h, n, h, error)

@@ -58,6 +58,7 @@ static void moduli_along_the_rod_begin_at_the_base(void)
 
 int main(void)
 {
+    against(BY_SECOND_WAY, "the same turn by rate and by shape");
     directions_and_moduli_go_along();
     moduli_along_the_rod_begin_at_the_base();
     return test_failures != 0;

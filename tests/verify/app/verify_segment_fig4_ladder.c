@@ -186,6 +186,8 @@ static void tips_move_as_by_another_code(const known_compliance *k, const char *
 
 int main(void)
 {
+    against(BY_OTHER_CODE,
+            "3D FEM of an independent code: curved high-order hexahedra, direct solver");
     capped("doubling", 1e-4);
     nearly_incompressible("doubling");
     pulled("doubling");

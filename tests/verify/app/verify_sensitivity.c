@@ -191,11 +191,11 @@ static void small_errors_propagate_linearly(void)
         // four deviations of what n samples know of a deviation and of a share
         CHECK_NEAR(a->deviation, wanted, 4 / sqrt(2.0 * n));
         CHECK(fabs(found[0] - share[0]) < 4 / sqrt(n) && fabs(found[1] - share[1]) < 4 / sqrt(n));
-        CHECK(a->rest < 1e-3);
+        CHECK_BELOW(a->rest, 1e-3);
         // of a normal and a uniform sum: between the two
         CHECK(a->high - a->mean > 1.4 * wanted && a->high - a->mean < 1.9 * wanted);
         const double at = r.rod.run[0].tip.p.a[q];
-        CHECK(fabs(a->mean - at) < 4 * wanted / sqrt(n) + 0.05 * wanted);
+        CHECK_BELOW(fabs(a->mean - at), 4 * wanted / sqrt(n) + 0.05 * wanted);
     }
     end_study(&c, &r);
 }
@@ -243,6 +243,7 @@ static void a_seed_is_the_same_bits(void)
 
 int main(void)
 {
+    against(BY_SECOND_WAY, "whole solves close by; propagation of small errors");
     every_kind_has_its_derivatives();
     small_errors_propagate_linearly();
     means_converge_by_the_root_of_the_samples();

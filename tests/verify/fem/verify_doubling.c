@@ -324,9 +324,13 @@ static void what_it_cannot_take_is_refused(void)
 
 int main(void)
 {
+    against(BY_CLOSED_FORM, "pull and bending of prisms");
     pull_is_exact_at_any_length_and_contrast();
     pull_and_bending_of_a_bar_are_exact_and_rounding_grows_slowly();
+    against(BY_OTHER_CODE,
+            "3D FEM of an independent code: curved high-order hexahedra, direct solver");
     compliances_of_the_prototype_agree_entry_by_entry();
+    against(BY_SECOND_WAY, "the direct way on the same mesh");
     direct_solution_of_the_same_mesh_agrees();
     slabs_of_fibres_agree_or_are_refused();
     uniform_tips_agree_with_the_direct_way();

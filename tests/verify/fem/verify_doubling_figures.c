@@ -203,7 +203,10 @@ static void a_turning_prism_has_the_law_that_knows_its_rate(void)
 
 int main(void)
 {
+    against(BY_OTHER_CODE,
+            "3D FEM of an independent code: curved high-order hexahedra, direct solver");
     short_segment_of_the_prototype_answers_its_loads();
+    against(BY_OTHER_CODE, "6x6 of an independent finite-element code, good to 1e-6");
     the_middle_of_a_long_prism_has_the_law_of_its_section();
     a_turning_prism_has_the_law_that_knows_its_rate();
     return test_failures != 0;

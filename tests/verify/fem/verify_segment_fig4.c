@@ -58,7 +58,7 @@ static void clamped_and_rigid(void)
     CHECK_NEAR(displacement_at_load(nc), -0.3397e-3, TOLERANCE);
     CHECK_NEAR(nc->shortening, 0.3397e-3, TOLERANCE);
     CHECK_WITHIN(degrees(nc), 0.0234, 3e-4);
-    CHECK(degrees(nc) < 0.1);
+    CHECK_BELOW(degrees(nc), 0.1);
     CHECK_WITHIN(nc->mid_curvature[1], 0, 6e-4); // the reference's 0.0005 of 6.232
     // away from the ends the centre is the section's own
     CHECK_NEAR(r.stiffness_centre[0], NC, 2e-4);
@@ -107,6 +107,8 @@ static void free_with_traction(void)
 
 int main(void)
 {
+    against(BY_OTHER_CODE, "3D FEM of an independent code: curved high-order hexahedra, direct "
+                           "solver, 184 k unknowns");
     clamped_and_rigid();
     clamped_and_rigid_nearly_incompressible();
     clamped_with_traction();

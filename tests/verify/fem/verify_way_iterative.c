@@ -244,6 +244,7 @@ static void grading_does_not_matter(void)
 
 int main(void)
 {
+    against(BY_SECOND_WAY, "the direct way on the same mesh");
     static const trial trials[] = {
         {.what = "prism, clamped, cap", .tip = TIP_RIGID, .contrast = 24, .most = 30},
         {.what = "prism, clamped, traction", .tip = TIP_E_PROPORTIONAL, .contrast = 24, .most = 36},

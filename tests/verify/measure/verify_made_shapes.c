@@ -61,6 +61,7 @@ static int write_all(const char *folder)
 
 int main(int argc, char **argv)
 {
+    against(BY_MADE_DATA, "the synthetic shapes of cases/measured, marched anew");
     char folder[4096];
     const char *source = getenv("STIFFAXIS_SOURCE");
     if (argc > 1) {

@@ -180,6 +180,7 @@ static const kind kinds[] = {
 // verify_modulus [SEED]
 int main(int argc, char **argv)
 {
+    against(BY_MADE_DATA, "synthetic stress-strain curves of known modulus");
     CHECK_OK(gsl_random_door_open(&random_of));
     for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++) {
         modulus_is_in_its_interval(&kinds[i], argc > 1 ? strtoul(argv[1], NULL, 10) : 6);

@@ -188,6 +188,7 @@ static void another_unit_is_told(void)
 
 int main(void)
 {
+    against(BY_MADE_DATA, "synthetic clouds of a known line");
     static const double helix[3] = {12, 0, 15};
     made_line_make(0.12, made_arc, helix, &line);
     by_fiducials();

@@ -10,12 +10,13 @@ static const made_scan usual = {
 
 static void check_figures(const char *name, const tube_trial *t)
 {
+    about("%s", name);
     trial_print(name, t);
     CHECK(t->st == OK);
     status_clear();
     if (t->st == OK) {
-        CHECK(t->rms < most_rms);
-        CHECK(t->tip < most_tip);
+        CHECK_BELOW(t->rms, most_rms);
+        CHECK_BELOW(t->tip, most_tip);
         CHECK_WITHIN(t->report.radius_free, 4e-3, most_radius);
         CHECK_WITHIN(t->report.noise, 0.05e-3, 0.005e-3);
     }
@@ -40,6 +41,7 @@ static void a_helical_tube_is_found(const char *name, const made_line *line)
 
 int main(void)
 {
+    against(BY_MADE_DATA, "synthetic clouds of a known line");
     static made_line prototype, helix;
     const double curvature[3] = {28, 0, 25};
     made_line_make(0.12, made_prototype, NULL, &prototype);

@@ -26,9 +26,9 @@ static void a_taper_is_followed(const made_line *line)
         if (t.st == OK) {
             printf("    taper %.4f +- %.4f mm\n", 1e3 * t.report.taper, 1e3 * t.report.taper_sigma);
             CHECK(t.rms < 0.03e-3 && t.tip < 0.1e-3);
-            CHECK(fabs(t.report.length - line->length) < 4 * t.report.length_sigma + 0.02e-3);
-            CHECK(fabs(t.report.taper - scan.taper) <
-                  fmax(6 * t.report.taper_sigma, 0.02 * fabs(scan.taper)));
+            CHECK_BELOW(fabs(t.report.length - line->length), 4 * t.report.length_sigma + 0.02e-3);
+            CHECK_BELOW(fabs(t.report.taper - scan.taper),
+                        fmax(6 * t.report.taper_sigma, 0.02 * fabs(scan.taper)));
         }
         trial_free(&t);
     }
@@ -129,7 +129,7 @@ static void over_a_ball_the_line_is_straight(void)
         const vec3 pole = vec3_add(end.p, mat3_mul_vec(end.R, (vec3){{0, 0, 4e-3}}));
         const double off = vec3_norm(vec3_sub(t.line.p[t.line.count - 1], pole));
         printf("a ball: %.4f mm from its pole\n", 1e3 * off);
-        CHECK(off < 0.1e-3); // 0.3 mm where the curve went on
+        CHECK_BELOW(off, 0.1e-3); // 0.3 mm where the curve went on
         trial_free(&t);
     }
 }
@@ -151,13 +151,13 @@ static void an_unseen_base_is_bridged_honestly(const made_line *line)
             if (t.st == OK) {
                 const double e = vec3_norm(t.line.p[0]) / t.line.sigma[0];
                 CHECK_WITHIN(t.report.unseen_base, gaps[k], 0.7e-3);
-                CHECK(e * e / 2 < 9);
+                CHECK_BELOW(e * e / 2, 9);
                 square += e * e / 2 / 5;
             }
             trial_free(&t);
         }
         printf("%g mm of the base unseen: (error / sigma)^2 %.2f\n", 1e3 * gaps[k], square);
-        CHECK(square < 2);
+        CHECK_BELOW(square, 2);
     }
     for (unsigned long seed = 1; seed <= 3; seed++) {
         made_scan scan = usual;
@@ -189,13 +189,14 @@ static void a_hand_above_a_plate(const made_line *line)
         CHECK_OK(made_cloud(line, &scan, &cloud));
         CHECK_OK(scan_find_plate(&cloud, &settings, &o, &plate));
         printf("a hand above a plate: base %.3f mm off\n", 1e3 * vec3_norm(o.base));
-        CHECK(vec3_norm(o.base) < 1e-3);
+        CHECK_BELOW(vec3_norm(o.base), 1e-3);
         point_cloud_free(&cloud);
     }
 }
 
 int main(void)
 {
+    against(BY_MADE_DATA, "synthetic clouds of known bodies");
     static made_line prototype;
     made_line_make(0.12, made_prototype, NULL, &prototype);
     a_taper_is_followed(&prototype);

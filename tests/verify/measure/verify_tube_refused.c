@@ -13,6 +13,7 @@ enum { POINTS = 20000 };
 static void is_refused(const char *what, const point_cloud *cloud, const tube_options *o,
                        status wanted, const char *words)
 {
+    about("%s", what);
     centreline line = {0};
     tube_report report;
     const clock_t start = clock();
@@ -155,6 +156,7 @@ static void the_tube_at_the_base_is_taken(const made_line *line)
 
 int main(void)
 {
+    against(BY_MADE_DATA, "synthetic clouds of what is no tube");
     static made_line line;
     made_line_make(0.12, made_prototype, NULL, &line);
     what_is_no_tube();

@@ -25,11 +25,11 @@ static tube_report check_scene(const scene *s, const made_line *line)
     CHECK(t.st == OK);
     status_clear();
     if (t.st == OK) {
-        CHECK(t.rms < s->rms * 1e-3);
-        CHECK(t.tip < s->tip * 1e-3);
+        CHECK_BELOW(t.rms, s->rms * 1e-3);
+        CHECK_BELOW(t.tip, s->tip * 1e-3);
         // a given radius leaves the free one to be compared, half of a tube decides it less
-        CHECK(fabs(t.report.radius_free - s->scan.radius) <
-              fmax(0.005 * s->scan.radius, 5 * t.report.radius_free_sigma));
+        CHECK_BELOW(fabs(t.report.radius_free - s->scan.radius),
+                    fmax(0.005 * s->scan.radius, 5 * t.report.radius_free_sigma));
     }
     trial_free(&t);
     return t.report;
@@ -63,7 +63,7 @@ static void gaps_are_bridged(const made_line *line)
     CHECK(r.ngap == 1);
     CHECK_WITHIN(r.gap[0].from, 55e-3, 1e-3);
     CHECK_WITHIN(r.gap[0].to, 65e-3, 1e-3);
-    CHECK(r.gap[0].angle < 0.6);
+    CHECK_BELOW(r.gap[0].angle, 0.6);
     scene near_tip = scene_of("a gap of 8 mm near the tip", 0.05, 0.1);
     near_tip.scan.gap[0] = 107e-3;
     near_tip.scan.gap[1] = 115e-3;
@@ -164,6 +164,7 @@ static void less_is_known(const made_line *line)
 
 int main(void)
 {
+    against(BY_MADE_DATA, "synthetic clouds of known scenes");
     static made_line prototype;
     made_line_make(0.12, made_prototype, NULL, &prototype);
     half_of_it_is_seen(&prototype);

@@ -233,6 +233,7 @@ static vec3 made_plate(vec3 u)
 
 int main(void)
 {
+    against(BY_SECOND_WAY, "all triangles one by one, winding numbers");
     const int points = test_is_long() ? POINTS : POINTS_OF_A_CHECK;
     made_surface m = {0};
     scene c;

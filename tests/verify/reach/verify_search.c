@@ -136,6 +136,7 @@ static search_answer answer(toy_search *t, vec3 target)
 // the same verdict, at least as much room where it decides, and never more than the bound
 static void against_dense(const char *name, toy_search *t, const campaign *size)
 {
+    about("%s", name);
     unsigned long long seed = 9;
     int reached = 0, touched = 0, away = 0, open = 0;
     long looks = 0;
@@ -154,7 +155,7 @@ static void against_dense(const char *name, toy_search *t, const campaign *size)
             touched++;
             // proved: brute force finds no free pose either, and none with more room than the bound
             open += a.bound >= 0;
-            CHECK(a.bound < few * t->options.resolution);
+            CHECK_BELOW(a.bound, few * t->options.resolution);
         } else {
             away++;
             CHECK(dense == -INFINITY);
@@ -272,6 +273,7 @@ static void more_joints(void)
 
 int main(void)
 {
+    against(BY_CLOSED_FORM, "free sets of tubes and slabs");
     const bool whole = test_is_long();
     made_scope arc = arc_scope();
     toy_search t = {0};
@@ -280,6 +282,7 @@ int main(void)
     slab_has_its_closed_form(&t);
     reasons_are_named(&t);
     t.toy = (toy){out_of_ball, {{5e-3, 2e-3, 0.06}}, 6e-3};
+    against(BY_SECOND_WAY, "dense brute force");
     against_dense("constant curvature, ball", &t, whole ? &full_arc : &check_arc);
     t.toy = (toy){under_slab, {{0}}, 0.06};
     against_dense("constant curvature, slab", &t, whole ? &full_arc : &check_arc);

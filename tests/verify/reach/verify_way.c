@@ -163,6 +163,7 @@ static void turns_where_it_must(study *s)
 
 static void among_balls(const char *name, study *s, int n)
 {
+    about("%s", name);
     unsigned long long seed = 17;
     int straight = 0, round = 0, none = 0;
     const double length = s->m.scope.length;
@@ -189,6 +190,7 @@ static void among_balls(const char *name, study *s, int n)
 
 int main(void)
 {
+    against(BY_SECOND_WAY, "dense steps between the poses");
     static study arc, rod, two;
     arc.m = arc_scope();
     start(&arc);

@@ -117,6 +117,8 @@ static void equation_14_has_two_entries_swapped(void)
 
 int main(void)
 {
+    against(BY_OTHER_CODE, "the paper's Eq. 14 and 17, corrected, and the printed forms beside "
+                           "them; rods of an independent code");
     equation_17_needs_its_r();
     law_along_gives_the_right_form();
     equation_14_has_two_entries_swapped();

@@ -163,6 +163,7 @@ static void quadrature_agrees_with_the_integrals(void)
 
 static double error_of(const char *what, double value, const solved *s, planar_tip wanted)
 {
+    about("%s", what);
     const double error = hypot(s->out.tip.p.a[0] - wanted.x, s->out.tip.p.a[2] - wanted.z) / LENGTH;
     const double R[9] = {cos(wanted.angle),  0, sin(wanted.angle), 0, 1, 0,
                          -sin(wanted.angle), 0, cos(wanted.angle)};
@@ -307,6 +308,8 @@ static void moments_bend_into_helices(void)
 
 int main(void)
 {
+    against(BY_CLOSED_FORM, "elliptic integrals of the elastica; Mattiasson, Int. J. Numer. Meth. "
+                            "Engng 17 (1981) 145-153, table I; circles and helices");
     integrals_agree_with_each_other_and_with_tables();
     tables_have_these_digits();
     quadrature_agrees_with_the_integrals();

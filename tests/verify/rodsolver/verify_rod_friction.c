@@ -248,6 +248,7 @@ enum { LEVELS = 5 };
 
 static void errors_fall(const char *what, vec6 force, bool bent_back)
 {
+    about("%s", what);
     const tendon_spec t = {.radius = field_constant(RADIUS), .friction = 0.5};
     const double tension = 0.8;
     const rod_request request = {.tension = &tension, .tip_space = force, .cold = true};
@@ -279,6 +280,7 @@ static void errors_fall(const char *what, vec6 force, bool bent_back)
 
 int main(void)
 {
+    against(BY_CLOSED_FORM, "the capstan; differences of whole solves; order of the error");
     const double strength[] = {0.1, 0.8, 5, 13};
     for (int i = 0; i < 4; i++) {
         rubbed_arc_is_found(strength[i], false, false);

@@ -25,6 +25,7 @@ static pose first_tip(const full_rod *p, pose tip)
 
 static void same_rod(const char *what, view v, bool loads)
 {
+    about("%s", what);
     full_rod first, other;
     full_rod_make(&first, full_plain, loads);
     full_rod_make(&other, v, loads);
@@ -161,6 +162,7 @@ static void history_does_not_matter(void)
 
 int main(void)
 {
+    against(BY_SYMMETRY, "the same rod turned, moved, in other units, from its other end");
     for (int loads = 0; loads < 2; loads++) {
         turns_and_moves_do_not_matter(loads);
         units_do_not_matter(loads);

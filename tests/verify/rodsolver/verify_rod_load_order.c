@@ -91,6 +91,7 @@ static void order_is_six(const study *t)
         CHECK(out.relative_error >= tip[i] / 3 - 1e-14);
         CHECK(out.relative_error <= 200 * tip[i] + 1e-13);
     }
+    about("%s", t->what);
     // the last three: the first is not yet small
     const double order = observed_order(LEVELS - 1, h + 1, tip + 1);
     printf("%-22s order %.2f\n", t->what, order);
@@ -115,6 +116,7 @@ static void tolerance_is_kept(const study *t)
 
 int main(void)
 {
+    against(BY_SECOND_WAY, "the same rod on many more panels");
     static stock k;
     stock_make(&k);
     for (int i = 0; i < CASES; i++) {

@@ -32,6 +32,7 @@ static void order_is_six(const study *t)
     pose exact_shape[4], shape[4];
     const rod_solution exact = solve(t, 384, exact_shape);
     double h[N], tip[N], inside[N];
+    about("frame %s", t->frame == FRAME_GC ? "GC" : "NC");
     printf("frame %s\n%8s %12s %12s %8s %14s\n", t->frame == FRAME_GC ? "GC" : "NC", "panels",
            "tip / L", "estimate", "ratio", "at L / 3, m");
     for (int i = 0; i < N; i++) {
@@ -69,6 +70,7 @@ static void estimate_is_honest(study *t)
 
 int main(void)
 {
+    against(BY_SECOND_WAY, "the same rod on 384 or 512 panels");
     const prototype p = helical_nc();
     const double turn = 50;
     study t = {.tendon = {straight_tendon("straight", 3.6e-3, PROTOTYPE_PI / 2),

@@ -15,6 +15,7 @@ static void none_is_wrong_and_none_silent(random_rods *rods, const char *what,
 
 int main(void)
 {
+    against(BY_SECOND_WAY, "the second method, shooting (tests/rod_shooting.h)");
     static random_rods rods;
     CHECK_OK(random_rods_make(&rods));
     if (rods.state) {

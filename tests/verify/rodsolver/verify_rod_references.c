@@ -145,6 +145,7 @@ static void frames_agree(void)
 
 int main(void)
 {
+    against(BY_OTHER_CODE, "rods of an independent code, good to 1e-11 m");
     tips_agree_with_the_references(FRAME_GC);
     tips_agree_with_the_references(FRAME_NC);
     frames_agree();

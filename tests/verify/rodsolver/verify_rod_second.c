@@ -26,6 +26,7 @@ static shoot_answer from_tip(shooting *sh, shooting *fine, const rod_request *rq
 
 static void agree(const char *what, sample *q, second_method second)
 {
+    about("%s", what);
     shooting coarse = {0}, fine = {0};
     ours o = {0};
     CHECK_OK(shoot_make(&q->spec, q->steps, &coarse));
@@ -147,6 +148,7 @@ static void breaks_are_met(void)
 
 int main(void)
 {
+    against(BY_SECOND_WAY, "the second method, shooting (tests/rod_shooting.h)");
     dead_tip_wrench();
     own_weight();
     loads_that_follow();

@@ -13,6 +13,7 @@ static bool steps_make(const sample *q, shooting *coarse, shooting *fine)
 // tensions are found by both
 static void pulls_agree(const char *what, sample *q)
 {
+    about("%s", what);
     shooting coarse = {0}, fine = {0};
     ours o = {0};
     double tension[SHOOT_TENDONS] = {0};
@@ -78,6 +79,7 @@ static void pulled_under_weight(void)
 // shares of the base's tension at the tip too
 static void rubs(const char *what, sample *q)
 {
+    about("%s", what);
     shooting coarse = {0}, fine = {0};
     ours o = {0};
     if (steps_make(q, &coarse, &fine)) {
@@ -125,6 +127,7 @@ static void friction_under_a_tip_force(void)
 
 int main(void)
 {
+    against(BY_SECOND_WAY, "the second method, shooting (tests/rod_shooting.h)");
     one_pulled_one_given_one_slack();
     elastic_and_pulled();
     pulled_under_weight();

@@ -227,6 +227,7 @@ static void pulled_length_has_its_closed_form(void)
 
 int main(void)
 {
+    against(BY_OTHER_CODE, "rods of an independent code, good to 1e-11 m; closed forms");
     friction_has_its_closed_form();
     pulled_length_has_its_closed_form();
     tip_force_is_the_reference();

@@ -4,6 +4,7 @@
 
 int main(void)
 {
+    against(BY_SECOND_WAY, "each line of docs/rod_stability.md against the second method");
     const stress_count n = stress_all(3);
     CHECK(n.rows > 25 && n.outside == 0 && n.silent == 0);
     // refusals are the exception

@@ -130,6 +130,8 @@ static void eq_12_shear_of_a_tube(void)
 
 int main(void)
 {
+    against(BY_CLOSED_FORM,
+            "the paper's Eq. 12 to 20, corrected, and the printed forms beside them: theory (2.6)");
     table_one_width();
     eq_14_bending_entries();
     eq_19_second_line();

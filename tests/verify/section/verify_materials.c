@@ -216,7 +216,7 @@ static void isotropic_constants_in_any_directions_are_isotropic(void)
     sector.axes = SHAPE_AXES_TANGENT;
     sector.plane_angle = fixed(0.8);
     const beam_law b = law_of(&sector, MESH_MAPPED, &same);
-    CHECK(mat6_relative_error(b.K, a.K) < SOLVED);
+    CHECK_BELOW(mat6_relative_error(b.K, a.K), SOLVED);
 }
 
 // the shape turned, its own axes with it
@@ -228,11 +228,13 @@ static void a_turned_shape_has_the_turned_law(void)
     shape_spec turned = a_rectangle(0.01, 0.004, 0.1 + angle, 0, 0, 0);
     bar.axes = turned.axes = SHAPE_AXES_TANGENT;
     const beam_law a = law_of(&bar, MESH_MAPPED, &m), b = law_of(&turned, MESH_MAPPED, &m);
-    CHECK(mat6_relative_error(beam_law_move(b.K, 0, 0, angle), a.K) < SOLVED);
+    CHECK_BELOW(mat6_relative_error(beam_law_move(b.K, 0, 0, angle), a.K), SOLVED);
 }
 
 int main(void)
 {
+    against(BY_CLOSED_FORM, "graded bars; Lekhnitskii, Theory of Elasticity of an Anisotropic "
+                            "Body: bars and wound tubes; theory (2.10)");
     a_graded_bar_stretches_and_bends_by_its_integrals();
     a_disc_graded_over_its_radius_twists_by_its_integral();
     an_off_axis_bar_follows_its_compliance();

@@ -57,6 +57,7 @@ static void belongs_to(const told *t, const section_case *c, const material *mat
 
 int main(void)
 {
+    against(BY_SECOND_WAY, "the section solved on the mesh that is told");
     sample s;
     section_wrench pull = {.name = "pull", .force = {0, 0, 1}, .at_kind = -1};
     const key_list wrenches = {.count = 1, .items = &pull};

@@ -204,8 +204,8 @@ static void smoothed_rings_come_nearer_than_pixels(void)
     CHECK_WITHIN(observed_order(SIZES, pixels.h, pixels.GJ), 1, 0.3);
     CHECK(observed_order(SIZES, smooth.h, smooth.GJ) > 1.2);
     for (int k = 0; k < SIZES; k++) {
-        CHECK(smooth.GJ[k] < pixels.GJ[k] / 3);
-        CHECK(smooth.K[k] < pixels.K[k]);
+        CHECK_BELOW(smooth.GJ[k], pixels.GJ[k] / 3);
+        CHECK_BELOW(smooth.K[k], pixels.K[k]);
         // the area is that of the pixels, with what little the junctions change
         CHECK(smooth.area[k] < 1.3 * pixels.area[k] && smooth.EA[k] < 1.3 * pixels.EA[k]);
     }
@@ -219,6 +219,7 @@ static void smoothed_rings_come_nearer_than_pixels(void)
 
 int main(void)
 {
+    against(BY_CLOSED_FORM, "rectangles of pixels; a ring with a stiff sector, theory (2.6)");
     a_rectangle_of_pixels_is_that_rectangle();
     it_does_not_matter_how_the_image_lies();
     smoothed_rings_come_nearer_than_pixels();

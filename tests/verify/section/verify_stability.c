@@ -6,6 +6,7 @@
 
 int main(void)
 {
+    against(BY_SECOND_WAY, "each line of docs/stability.md against a finer section of its own");
     const stress_count n = stress_all(3);
     CHECK(n.rows > 20 && n.outside == 0);
     // refusals are the exception

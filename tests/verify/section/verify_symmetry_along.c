@@ -74,6 +74,7 @@ static void without_symmetry_nothing_is_declared(void)
 
 int main(void)
 {
+    against(BY_SYMMETRY, "the declared axis of symmetry");
     frame_is_the_declared_axis(MODEL_CLASSICAL);
     frame_is_the_declared_axis(MODEL_FULL);
     without_symmetry_nothing_is_declared();

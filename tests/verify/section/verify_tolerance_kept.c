@@ -59,6 +59,7 @@ static void askew(void)
 
 int main(void)
 {
+    against(BY_SECOND_WAY, "the same section at a finer tolerance");
     star();
     askew();
     return test_failures != 0;

@@ -37,7 +37,7 @@ static void agrees_with_the_table(void)
         for (int i = 0; i < 2; i++) {
             mesh m = prototype_mesh(r->width, &like[i]);
             error[i] = mat6_relative_error(turning_law(&m, two, 1e3 * r->rate).K, wanted);
-            CHECK(error[i] < 2e-5);
+            CHECK_BELOW(error[i], 2e-5);
             mesh_free(&m);
         }
         printf("sector %.3f rad, rate %.4f rad/mm: K %.2e, %.2e\n", r->width, r->rate, error[0],
@@ -66,7 +66,7 @@ static void graded_meshes_go_beyond_the_table(void)
         const double among = mat6_relative_error(K[1], K[0]);
         const double off = mat6_relative_error(from_mm(turning_stiffness(r)), K[0]);
         printf("rate %.4f rad/mm: orders 3 and 4 %.2e, the table %.2e\n", r->rate, among, off);
-        CHECK(among < 1e-5);
+        CHECK_BELOW(among, 1e-5);
         CHECK(off < (k == 0 ? 2e-5 : 2e-4));
     }
 }
@@ -104,7 +104,7 @@ static void turning_the_other_way_is_a_mirror_image(void)
     mesh m = lattice_mesh(&lopsided);
     const beam_law one = turning_law(&m, soft_and_stiff, 180);
     const beam_law other = turning_law(&m, soft_and_stiff, -180);
-    CHECK(mat6_relative_error(with_signs(other.K, sign), one.K) < 1e-11);
+    CHECK_BELOW(mat6_relative_error(with_signs(other.K, sign), one.K), 1e-11);
     // it does depend on the sense
     CHECK(mat6_relative_error(other.K, one.K) > 1e-2);
     mesh_free(&m);
@@ -140,7 +140,7 @@ static void nothing_turns_in_an_annulus(void)
     const beam_law still = turning_law(&m, two, 0), fast = turning_law(&m, two, 600);
     const double error = mat6_relative_error(fast.K, still.K);
     printf("annulus at 600 rad/m: K %.2e\n", error);
-    CHECK(error < 1e-8);
+    CHECK_BELOW(error, 1e-8);
     mesh_free(&m);
 }
 
@@ -173,7 +173,7 @@ static void nothing_turns_in_a_wound_annulus(void)
     const double error = mat6_relative_error(fast.K, still.K);
     printf("wound annulus at 600 rad/m: K %.2e, K[nz,mz] %.2e of its diagonal\n", error,
            still.K.a[NZ][MZ] / sqrt(still.K.a[NZ][NZ] * still.K.a[MZ][MZ]));
-    CHECK(error < 1e-8);
+    CHECK_BELOW(error, 1e-8);
     CHECK(fabs(still.K.a[NZ][MZ]) > 0.1 * sqrt(still.K.a[NZ][NZ] * still.K.a[MZ][MZ]));
     mesh_free(&m);
 }
@@ -242,19 +242,24 @@ static void a_thin_helix_is_a_curved_rod(void)
         }
         const double error = mat6_relative_error(wanted, F);
         printf("helix, R rate %.1f: F %.2e\n", 1e-6 * COIL_RADIUS_UM * rates[k], error);
-        CHECK(error < 1e-3);
+        CHECK_BELOW(error, 1e-3);
     }
     mesh_free(&m);
 }
 
 int main(void)
 {
+    against(BY_OTHER_CODE,
+            "a turning section by an independent code (tests/verify/section/turning_table.h)");
     agrees_with_the_table();
+    against(BY_SECOND_WAY, "graded meshes of two orders");
     graded_meshes_go_beyond_the_table();
+    against(BY_SYMMETRY, "mirrored; slow turns; annuli");
     turning_the_other_way_is_a_mirror_image();
     slow_turning_is_prismatic();
     nothing_turns_in_an_annulus();
     nothing_turns_in_a_wound_annulus();
+    against(BY_CLOSED_FORM, "a helical wire as a curved rod");
     a_thin_helix_is_a_curved_rod();
     return test_failures != 0;
 }

@@ -1,0 +1,6 @@
+// What stands before the pieces of C in docs/verification.md.
+#include "tests/test.h"
+
+int main(void);
+int main(void)
+{
