@@ -47,7 +47,7 @@ enum { RECORD_TOLD = 40, RECORD_WORDS = 200 };
 static struct {
     FILE *to;
     bool tried;
-    pid_t process;
+    long process;
     verified_by way;
     const char *source;
     const char *about_in; // a function

@@ -27,7 +27,7 @@ def order_of(series):
 
 def drawable(series):
     points = [(h, e) for h, e in series['points'] if h > 0 and e > 0]
-    return sorted(points) if len(points) > 1 else []
+    return sorted(points) if len(points) > 1 and math.isfinite(series['slope'] or 0) else []
 
 
 class Axes:
