@@ -4,6 +4,7 @@
 #include "app/doctor.h"
 #include "app/document.h"
 #include "app/interrupt.h"
+#include "base/door.h"
 #include "io/disk.h"
 #include "io/json.h"
 
@@ -67,6 +68,10 @@ static void try_steps(patient *p, json *j, FILE *stream, int *failed)
         const bool works = one->try_it(p) == OK;
         if (!works) {
             (void)snprintf(v.why, sizeof v.why, "%s", status_message());
+            char *hint = strstr(v.why, DOOR_HINT); // to here
+            if (hint) {
+                *hint = '\0';
+            }
             status_clear();
             *failed += one->needed;
             p->told[0] = '\0';

@@ -62,9 +62,14 @@ status door_open(const char *name, const char *symbol, door_function *out)
         handle = open_module(name);
         if (!handle) {
             const char *why = dlerror();
-            return status_fail(
-                ERR_RESOURCE, "cannot open the %s module: %s", name,
-                why ? why : "it is not beside the library or the program, nor in ../lib/stiffaxis");
+            return why ? status_fail(ERR_RESOURCE, "cannot open the %s module: %s%s", name, why,
+                                     DOOR_HINT)
+                       : status_fail(
+                             ERR_RESOURCE,
+                             "cannot open the %s module: stiffaxis_%s.so is neither beside the "
+                             "library or the program nor in ../lib/stiffaxis: install "
+                             "stiffaxis again",
+                             name, name);
         }
         for (int i = 0; i < MAX_DOORS; i++) {
             if (!doors[i].handle) {

@@ -25,3 +25,8 @@ __all__ = [
     "Along", "BugError", "Case", "Critical", "Derivatives", "Error", "FileError", "InputError", "LimitPoint", "NumericError",
     "ResourceError", "Rod", "Section", "Shape", "Solution", "State", "Station", "__version__", "library_path",
 ]
+
+for _name in __all__:  # errors and help tell the name that one imports
+    if isinstance(globals()[_name], type):
+        globals()[_name].__module__ = __name__
+del _name
