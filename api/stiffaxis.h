@@ -99,6 +99,12 @@ STIFFAXIS_API int stiffaxis_section_solved(const stiffaxis_section *section);
 // Of K(s) between the stations, relative.
 STIFFAXIS_API double stiffaxis_section_interpolation_error(const stiffaxis_section *section);
 
+// All that `stiffaxis section --json` tells, as that document: besides the stations kern, warping
+// constant, mass, K about further points, stresses under the case's wrenches. For
+// stiffaxis_text_free.
+STIFFAXIS_API int stiffaxis_section_json(const stiffaxis_section *section, char **out);
+STIFFAXIS_API void stiffaxis_text_free(char *text);
+
 // --- rods
 
 // The rod of the section's case, with other values of its keys where there are settings; the

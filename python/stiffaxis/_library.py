@@ -89,6 +89,8 @@ _FUNCTIONS = {  # name: what it returns, what it takes
     "section_at": (c_int, [c_void_p, c_int, c_void_p, c_void_p, c_void_p]),
     "section_solved": (c_int, [c_void_p]),
     "section_interpolation_error": (c_double, [c_void_p]),
+    "section_json": (c_int, [c_void_p, _OUT]),
+    "text_free": (None, [c_void_p]),
     "rod_make": (c_int, [c_void_p, c_int, _TEXTS, _OUT]),
     "rod_free": (None, [c_void_p]),
     "rod_length": (c_double, [c_void_p]),
@@ -187,6 +189,15 @@ def make(function: Any, *arguments: Any) -> int:
     check(function(*arguments, ctypes.byref(out)))
     assert out.value
     return out.value
+
+
+def document(function: Any, handle: Any) -> Any:
+    """The JSON document that a function writes."""
+    text = make(function, handle)
+    try:
+        return json.loads(ctypes.string_at(text))
+    finally:
+        library.stiffaxis_text_free(text)
 
 
 def encode_path(path: FilePath) -> bytes:

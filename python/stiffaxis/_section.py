@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import ctypes
 from dataclasses import dataclass
-from typing import Any, Iterator, Tuple
+from typing import Any, Dict, Iterator, Tuple
 
 import numpy as np
 
 from ._handle import Handle
-from ._library import Array, Settings, StationData, check, library, make, numbers, settings_arguments
+from ._library import Array, Settings, StationData, check, document, library, make, numbers, settings_arguments
 from ._rod import Rod
 
 
@@ -116,6 +116,13 @@ class Section(Handle):
         dK = np.empty((len(s), 6, 6))
         check(library.stiffaxis_section_at(self._handle, len(s), s.ctypes.data, K.ctypes.data, dK.ctypes.data if slope else None))
         return (K[0], dK[0]) if single else (K, dK)
+
+    def document(self) -> Dict[str, Any]:
+        """All that ``stiffaxis section --json`` tells, under its keys: besides the stations K in principal axes and about further
+        points [N, N m, N m^2], shear stiffness [N], kern [m], warping constant [N m^4], mass matrix, and of each of the case's
+        wrenches the largest strain [-] and stresses [Pa] per material. Solves once more for the warping."""
+        told: Dict[str, Any] = document(library.stiffaxis_section_json, self._handle)
+        return told
 
     def rod(self, settings: Settings = None) -> Rod:
         """The case's rod on these sections, with other values of its keys where there are settings: sections are solved again only

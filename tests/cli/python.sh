@@ -55,6 +55,7 @@ same() {
 same "$source/cases/constant_nc.yaml"
 same "$source/cases/constant_nc.yaml" --set section.model=classical --set rod.derivatives=true
 same "$source/cases/helical_nc.yaml" --set section.model=classical
+same "$source/cases/constant_nc.yaml" --set 'section.wrenches=[{name: push, force_N: [0.1, 0, -1]}]' --set 'section.points_mm=[[1, 2]]'
 same "$source/cases/loaded_nc.yaml" --set section.model=classical --set rod.derivatives=true
 same "$source/cases/pulled_tube.yaml"
 

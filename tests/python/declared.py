@@ -43,7 +43,7 @@ FOUND = {ctypes.c_int: "int", ctypes.c_double: "double", ctypes.c_size_t: "size"
 def kind(text):
     text = text.strip()
     if "*" in text or "[" in text:
-        return "text" if re.match(r"(const )?char \*[a-z]*$", text) else "pointer"
+        return "text" if re.match(r"const char \*\w*$|char \*name$", text) else "pointer"
     return KINDS[text.split()[0]]
 
 

@@ -59,6 +59,7 @@ told = json.load(open(rod_json))
 with stiffaxis.Case(case_path, settings) as case:
     section = case.section()
     sections(section, json.load(open(section_json)))
+    assert section.document() == json.load(open(section_json))
     rod = section.rod()
     assert list(rod.tendons) == told["tendons"] and list(rod.loads) == told["loads"] and rod.length_m == told["length_m"]
     assert len(rod.requests) == len(told["solutions"]) > 0
