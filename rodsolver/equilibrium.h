@@ -115,8 +115,10 @@ void equilibrium_free(equilibrium *e);
 // Of an answer to tensions alone: where a warm solve or a derivative starts.
 void equilibrium_remember(rod_state *state);
 
-// The state's last answer linearised, for derivatives: ERR_BUG before an answer, ERR_NUMERIC at a
-// critical point.
+// The state's last answer on its own plan: ERR_BUG before one, ERR_NUMERIC at a limit point;
+// linearised, ERR_NUMERIC at a critical point; both.
+status equilibrium_recall(rod_state *state);
+status equilibrium_linearize(equilibrium *e);
 status equilibrium_resume(rod_state *state);
 // Another plan; e->xi must be strains at its stations.
 void equilibrium_use_plan(equilibrium *e, const plan *p);

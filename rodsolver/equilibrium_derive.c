@@ -6,22 +6,58 @@
 #include <math.h>
 #include <string.h>
 
-// --- how a pose moves by a linear answer
+// --- where a derivative starts
 
-// integrals from 0 to t of the cardinal polynomials of a pair's six stations
-static void pair_integrals(double t, double *c)
+// What the collocation of the linearised equations leaves of a derivative over panels that turn by
+// theta each: this times theta^6, most of it between the nodes. A pose needs far fewer panels where
+// the strains hardly vary, docs/theory.md (4.6)
+static const double left_by_turn = 1.5e-5;
+
+static double longest_panel(const plan *p)
 {
-    for (int j = 0; j < PAIR_STATIONS; j++) {
-        c[j] = 0;
+    double longest = 0;
+    for (int k = 0; k < p->npair; k++) {
+        longest = fmax(longest, panel_length(p, 2 * k));
     }
-    for (int i = 0; i < GAUSS_STATIONS; i++) {
-        double weight[PAIR_STATIONS];
-        lie_pair_weights(t * gauss_point[i], weight);
-        for (int j = 0; j < PAIR_STATIONS; j++) {
-            c[j] += t * gauss_weight[i] * weight[j];
+    return longest;
+}
+
+// the coarsest plan from the one at hand on that derives to the rod's tolerance
+static const plan *plan_for_rates(const equilibrium *e)
+{
+    const rod *r = e->rod;
+    const plan *p = e->plan;
+    double rate = 0;
+    for (int i = 0; i < p->nstation; i++) {
+        rate = fmax(rate, vec3_norm(vec6_angular(e->xi[i])));
+    }
+    const double turn = pow(r->options.tolerance / left_by_turn, 1.0 / 6);
+    while (p < &r->plans[r->nplan - 1] && rate * longest_panel(p) > turn) {
+        p++;
+    }
+    return p;
+}
+
+status derive_resume(rod_state *state)
+{
+    status st = OK;
+    equilibrium *e = state->loaded;
+    TRY(equilibrium_recall(state));
+    e->lost = false;
+    // under load the plan at hand has met the tolerance by the collocation itself
+    if (!state->by_load && e->rod->options.npanel == 0) {
+        const plan *p = plan_for_rates(e);
+        if (p != e->plan) {
+            equilibrium_transfer(e, p);
         }
     }
+    TRY(equilibrium_linearize(e));
+
+done:
+    return st;
 }
+
+// --- how a pose moves by a linear answer
 
 // how the stations' p' change: phi x p' + nu
 static void slope_changes(const equilibrium *e, int k, vec3 change[GAUSS_STATIONS])
@@ -37,6 +73,29 @@ static void slope_changes(const equilibrium *e, int k, vec3 change[GAUSS_STATION
     }
 }
 
+// the Gauss points between the last node before the place and the place itself
+static void find_inside(const equilibrium *e, place *at)
+{
+    const int pair = at->pair, before = (int)at->t;
+    const double h = panel_length(e->plan, 2 * pair), rest = at->t - before;
+    const vec6 *xi = &e->xi[PAIR_STATIONS * pair];
+    const pose left = {e->node_R[2 * pair], e->node_p[2 * pair]};
+    at->node = 2 * pair + before;
+    at->inside = h * rest;
+    if (!(rest > 0)) {
+        return;
+    }
+    const vec3 end = pose_mul(left, lie_pair_pose(h, xi, at->t)).p;
+    at->arm = vec3_sub(end, e->node_p[at->node]);
+    for (int i = 0; i < GAUSS_STATIONS; i++) {
+        const double t = before + rest * gauss_point[i];
+        const pose g = pose_mul(left, lie_pair_pose(h, xi, t));
+        at->point[i].R = g.R;
+        at->point[i].arm = vec3_sub(end, g.p);
+        lie_pair_weights(t, at->point[i].weight);
+    }
+}
+
 place derive_find_place(const equilibrium *e, const rod_state *state, double s)
 {
     place at = {.s = s, .to_gc = mat6_identity()};
@@ -44,6 +103,7 @@ place derive_find_place(const equilibrium *e, const rod_state *state, double s)
     at.pair = plan_pair_at(p, s);
     const double *edge = &p->pair_edge[2 * at.pair];
     at.t = fmin(fmax(2 * (s - edge[0]) / (edge[1] - edge[0]), 0), 2);
+    find_inside(e, &at);
     const pose world = rod_pose_at(state, s);
     const pose base = pose_mul(state->base, e->rod->base);
     at.R = mat3_mul(mat3_transpose(base.R), world.R);
@@ -56,24 +116,32 @@ place derive_find_place(const equilibrium *e, const rod_state *state, double s)
     return at;
 }
 
+// over whole panels the collocation's sums, of order 6 at their ends; from there on the motion that
+// a node's rotation and the strains make, which vary little in the body's axes
 vec6 derive_twist_at(const equilibrium *e, const place *at)
 {
-    vec3 moved = {{0, 0, 0}}, change[PAIR_STATIONS];
-    for (int k = 0; k < 2 * at->pair; k++) {
+    vec3 moved = {{0, 0, 0}}, turned = e->phi[at->node], change[GAUSS_STATIONS];
+    for (int k = 0; k < at->node; k++) {
         slope_changes(e, k, change);
         for (int j = 0; j < GAUSS_STATIONS; j++) {
             moved = vec3_add_scaled(moved, panel_length(e->plan, k) * gauss_weight[j], change[j]);
         }
     }
-    const double h = panel_length(e->plan, 2 * at->pair);
-    double c[PAIR_STATIONS];
-    vec3 turned = e->phi[2 * at->pair];
-    pair_integrals(at->t, c);
-    slope_changes(e, 2 * at->pair, change);
-    slope_changes(e, 2 * at->pair + 1, change + GAUSS_STATIONS);
-    for (int j = 0; j < PAIR_STATIONS; j++) {
-        moved = vec3_add_scaled(moved, h * c[j], change[j]);
-        turned = vec3_add_scaled(turned, h * c[j], e->omega[PAIR_STATIONS * at->pair + j]);
+    if (at->inside > 0) {
+        moved = vec3_add(moved, vec3_cross(turned, at->arm));
+    }
+    for (int i = 0; at->inside > 0 && i < GAUSS_STATIONS; i++) {
+        const inside_point *q = &at->point[i];
+        vec6 strain = {{0}};
+        for (int j = 0; j < PAIR_STATIONS; j++) {
+            strain =
+                vec6_add(strain, vec6_scale(q->weight[j], e->step[PAIR_STATIONS * at->pair + j]));
+        }
+        const double share = at->inside * gauss_weight[i];
+        const vec3 nu = mat3_mul_vec(q->R, vec6_linear(strain));
+        const vec3 omega = mat3_mul_vec(q->R, vec6_angular(strain));
+        moved = vec3_add_scaled(moved, share, vec3_add(nu, vec3_cross(omega, q->arm)));
+        turned = vec3_add_scaled(turned, share, omega);
     }
     const vec3 v = mat3_tmul_vec(at->R, moved), w = mat3_tmul_vec(at->R, turned);
     return mat6_mul_vec(at->to_gc, (vec6){{v.a[0], v.a[1], v.a[2], w.a[0], w.a[1], w.a[2]}});
@@ -195,8 +263,7 @@ status rod_derive(rod_state *state, double s, const rod_derivatives *out)
 {
     status st = OK;
     equilibrium *e = state->loaded;
-    TRY(equilibrium_resume(state));
-    e->lost = false;
+    TRY(derive_resume(state));
     const double clipped = fmin(fmax(s, 0), e->rod->length);
     const place at = derive_find_place(e, state, clipped);
     derive_tensions(e, &at, out);

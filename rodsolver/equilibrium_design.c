@@ -122,12 +122,11 @@ static status derive_between(rod_state *state, const rod *plus_rod, const rod *m
     if (!(fabs(span) > 0) || !isfinite(span)) {
         return status_fail(ERR_INPUT, "rod: a step of %g between two designs", span);
     }
-    TRY(equilibrium_resume(state));
+    TRY(derive_resume(state));
     const place at = derive_find_place(e, state, fmin(fmax(s, 0), e->rod->length));
     TRY(evaluate(state, plus_rod, &at, e->kept_v, e->kept_w, e->tension_slope, &g[0]));
     TRY(evaluate(state, minus_rod, &at, e->arc_v, e->arc_w, e->tension_old, &g[1]));
-    TRY(equilibrium_resume(state));
-    e->lost = false;
+    TRY(derive_resume(state));
     for (int i = 0; i < e->plan->nstation; i++) {
         const mat3 *R = &e->state[i].R;
         e->rv[i] = mat3_mul_vec(*R, vec3_scale(1 / span, vec3_sub(e->kept_v[i], e->arc_v[i])));

@@ -67,7 +67,7 @@ void equilibrium_remember(rod_state *state)
     }
 }
 
-status equilibrium_resume(rod_state *state)
+status equilibrium_recall(rod_state *state)
 {
     equilibrium *e = state->loaded;
     if (!state->solved) {
@@ -86,10 +86,23 @@ status equilibrium_resume(rod_state *state)
     // also those whose factor is 0: by it may be derived
     e->lines = e->rod->nline_load + e->rod->has_gravity > 0;
     equilibrium_load_answer(e, state);
-    if (!newton_linearize(e)) {
-        return status_fail(ERR_NUMERIC, "rod: the answer is a critical point");
-    }
     return OK;
+}
+
+status equilibrium_linearize(equilibrium *e)
+{
+    return newton_linearize(e) ? OK
+                               : status_fail(ERR_NUMERIC, "rod: the answer is a critical point");
+}
+
+status equilibrium_resume(rod_state *state)
+{
+    status st = OK;
+    TRY(equilibrium_recall(state));
+    TRY(equilibrium_linearize(state->loaded));
+
+done:
+    return st;
 }
 
 static vec6 largest_strain(const equilibrium *e)
