@@ -74,7 +74,8 @@ class Run:
         self.settle()
 
     def read_limits(self, path):
-        """lines `COMMAND | --set K=V ...`, `COMMAND | alone` (no other program to be found) or `COMMAND | tests/X: WORDS`"""
+        """lines `COMMAND | --set K=V ...`, `COMMAND | alone` (no other program is found)
+        or `COMMAND | tests/X: WORDS`"""
         with open(path, encoding='utf-8') as file:
             lines = [line.strip() for line in file if line.strip() and not line.startswith('#')]
         return {line.split(' | ')[0].strip(): line.split(' | ')[1].strip() for line in lines}
@@ -157,7 +158,7 @@ class Run:
         text = (done.stdout + done.stderr).split('\n')
         if done.returncode != wanted:
             self.fail(page, block.line, f'exit code {done.returncode}, not {wanted}: {line}\n    ' + '\n    '.join(text[-5:]))
-        if how and 'alone' not in how:
+        if how and how != 'alone':
             return None
         words = key.split()
         if words and words[0] == 'stiffaxis' and all(os.path.dirname(word) for word in words if re.search(r'\.\w+$', word)):
@@ -172,7 +173,7 @@ class Run:
         if self.options.update:
             lines = compare.update(wanted, said)
             if lines is not None:
-                page.edits.append((block, wanted, lines))
+                page.edits.append((block, command, wanted, lines))
                 return
         self.fail(page, block.line, f'{command.splitlines()[0]}\n    {wrong}')
 
@@ -188,9 +189,11 @@ class Run:
         elif not any(line.startswith('format:') for line in lines):
             return self.fail(page, block.line, 'part of a case: which one? <!-- in cases/X.yaml -->')
         self.counts['parts' if into else 'cases'] += 1
-        path = os.path.join('cases', f'shown_{block.line}.yaml')
-        with open(os.path.join(self.scratch, path), 'w', encoding='utf-8') as file:
-            file.write('\n'.join(lines) + '\n')
+        path = block.says('save as')
+        if not path:
+            path = os.path.join('cases', f'shown_{block.line}.yaml')
+            with open(os.path.join(self.scratch, path), 'w', encoding='utf-8') as file:
+                file.write('\n'.join(lines) + '\n')
         reader = 'scan' if any(line.startswith('scan:') for line in lines) else 'check'
         done = subprocess.run([self.program, reader, path], cwd=self.scratch, env=self.environment, capture_output=True, text=True)
         theirs = block.says('your file')
@@ -292,11 +295,13 @@ class Run:
 
 def rewrite(page):
     lines = list(page.lines)
-    for block, wanted, new in sorted(page.edits, key=lambda edit: -edit[0].line):
+    for block, command, wanted, new in sorted(page.edits, key=lambda edit: -edit[0].line):
         start = block.line
         end = next(k for k in range(start, len(lines)) if FENCE.match(lines[k]))
         if block.language == 'console':  # the lines below one of its prompts
-            start = next(k for k in range(start, end) if lines[k:k + len(wanted)] == wanted)
+            words = ('$ ' + command).split('\n')
+            start = len(words) + next(k for k in range(start, end) if lines[k:k + len(words)] == words
+                                      and lines[k + len(words):k + len(words) + len(wanted)] == wanted)
             end = start + len(wanted)
         lines[start:end] = new
     with open(page.path, 'w', encoding='utf-8') as file:
