@@ -71,8 +71,8 @@ status figure_curvature(const run_result *r, const char *dir)
                   {"Curvature about y", "κy, 1/m", curvature, 1, 0, 0},
                   {"Size of the curvature", "|κ|, 1/m", curvature_size, 0, 0, 0},
                   {"Twist about z", "τ, 1/m", curvature, 2, 0, 0},
-                  {"Elongation of the centreline", "%", elongation, 2, 1, 0},
-                  {"Size of the shear", "%", shear_size, 0, 1, 0}},
+                  {"Elongation of the centreline", "elongation, %", elongation, 2, 1, 0},
+                  {"Size of the shear", "shear, %", shear_size, 0, 1, 0}},
         .note = ROD_NOTE_CURVATURE,
     };
     return write_sheet(r, &s, dir);

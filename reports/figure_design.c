@@ -8,10 +8,10 @@
 #include <math.h>
 #include <stdio.h>
 
-static const double side = 28, head = 84, sheet_width = 1040, plot_width = 520, plot_height = 300,
+static const double side = 28, head = 84, sheet_width = 1000, plot_width = 520, plot_height = 300,
                     axis_left = 62, bar_pitch = 44;
 
-static const double bars_left = 660, bars_width = 330;
+static const double bars_left = 640, bars_width = 330;
 
 static double shown(const reach_design_result *d, double value)
 {

@@ -58,7 +58,7 @@ static void shape_panel(canvas *c, const fit_sheet *w, int k)
         p.y1 = fmax(p.y1, 1e3 * fmax(m->before[i], m->after[i]));
     }
     p.y1 *= 1.06;
-    plot_frame(c, &p, "along the measured line, mm", "distance, mm");
+    plot_frame(c, &p, "arclength s of the measured line, mm", "distance, mm");
     canvas_clip(c, at.x, at.y, at.w, at.h);
     distance_line(c, &p, m->nstation, m->s, m->before, INK_FAINT);
     distance_line(c, &p, m->nstation, m->s, m->after, INK_ACCENT);

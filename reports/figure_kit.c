@@ -19,11 +19,11 @@ const colour INK_SECOND = {0.00, 0.36, 0.62, 1};
     {                                                                                              \
         .size = (points), .style = (weight), .ink = {(red), (green), (blue), 1 }                   \
     }
-const text_look LOOK_TITLE = LOOK(17, TEXT_BOLD, 0.13, 0.15, 0.19);
-const text_look LOOK_HEADING = LOOK(12.5, TEXT_BOLD, 0.13, 0.15, 0.19);
-const text_look LOOK_TEXT = LOOK(12, TEXT_PLAIN, 0.13, 0.15, 0.19);
-const text_look LOOK_SMALL = LOOK(11, TEXT_PLAIN, 0.36, 0.40, 0.46);
-const text_look LOOK_TICK = LOOK(10.5, TEXT_PLAIN, 0.36, 0.40, 0.46);
+const text_look LOOK_TITLE = LOOK(18, TEXT_BOLD, 0.13, 0.15, 0.19);
+const text_look LOOK_HEADING = LOOK(14.2, TEXT_BOLD, 0.13, 0.15, 0.19);
+const text_look LOOK_TEXT = LOOK(14.2, TEXT_PLAIN, 0.13, 0.15, 0.19);
+const text_look LOOK_SMALL = LOOK(SMALLEST_LETTERS, TEXT_PLAIN, 0.36, 0.40, 0.46);
+const text_look LOOK_TICK = LOOK(SMALLEST_LETTERS, TEXT_PLAIN, 0.36, 0.40, 0.46);
 
 text_look look_aligned(text_look look, text_align align)
 {

@@ -9,7 +9,7 @@
 enum { MOST_POINTS = 1500, LEGEND_MOST = 12 };
 
 static const double width = 760, plot_height = 400, side = 30, head = 84, axis = 66;
-static const double row_height = 19, foot = 96;
+static const double row_height = 19, foot = 104;
 
 static int legend_rows(const material_result *r)
 {
@@ -139,7 +139,7 @@ static status draw(canvas *c, const void *data)
                    "Line: slope E from the strain where it has no stress. Dot: end of the linear "
                    "range, %.3g %% off this line. Strain as recorded.",
                    100 * r->rule.departure);
-    say_within(c, side, sheet_height(r) - 14, width - 2 * side, LOOK_SMALL, words);
+    (void)say_paragraph(c, side, sheet_height(r) - 30, width - 2 * side, LOOK_SMALL, words);
     return OK;
 }
 

@@ -15,7 +15,7 @@ typedef enum panel_kind { TURN_X, TURN_Y, TURN_SIZE, DISTANCE } panel_kind;
 
 static const char *const names[PANELS] = {"Curvature about x", "Curvature about y",
                                           "Size of the curvature", "Distance of the two lines"};
-static const char *const labels[PANELS] = {"κx, 1/m", "κy, 1/m", "|κ|, 1/m", "mm"};
+static const char *const labels[PANELS] = {"κx, 1/m", "κy, 1/m", "|κ|, 1/m", "distance, mm"};
 
 // of the model at a station of its own; NAN where it has none
 static double model_value(const run_result *r, const measured_line *line, int kind, int point)

@@ -8,7 +8,7 @@
 
 enum { RASTER = 420 };
 
-static const double side = 28, head = 100, foot = 80, sheet_width = 1040, row_head = 40, gap = 22,
+static const double side = 28, head = 100, foot = 80, sheet_width = 1000, row_head = 40, gap = 22,
                     highest = 430, least_height = 200;
 
 typedef struct reach_sheet {
@@ -46,27 +46,36 @@ static void row(canvas *c, const reach_sheet *w, int scope)
     }
 }
 
+// returns where the next entry of the legend stands
+static double told(canvas *c, double x, double y, const char *words)
+{
+    say(c, x, y, LOOK_SMALL, "%s", words);
+    return x + canvas_text_width(c, &LOOK_SMALL, words) + 16;
+}
+
+// a piece of line and what it means
+static double told_line(canvas *c, double x, double y, colour ink, double width, const char *words)
+{
+    canvas_segment(c, x, y - 4, x + 26, y - 4);
+    canvas_stroke(c, ink, width);
+    canvas_dash(c, 0, 0);
+    return told(c, x + 32, y, words);
+}
+
 static void legend(canvas *c, double y)
 {
-    const double at[2] = {side + 110, y - 4};
-    canvas_circle(c, side + 5, y - 4, 3.4);
+    double x = side;
+    canvas_circle(c, x + 5, y - 4, 3.4);
     canvas_fill(c, REACH_YES);
-    say(c, side + 14, y, LOOK_SMALL, "target reached");
-    reach_cross_path(c, at, 3.6);
+    x = told(c, x + 14, y, "target reached");
+    reach_cross_path(c, (const double[2]){x + 4, y - 4}, 3.6);
     canvas_stroke(c, INK_ACCENT, 2);
-    say(c, side + 119, y, LOOK_SMALL, "not reached");
-    canvas_segment(c, side + 196, y - 4, side + 222, y - 4);
-    canvas_stroke(c, REACH_YES, 1.6);
-    say(c, side + 228, y, LOOK_SMALL, "body there");
-    canvas_segment(c, side + 300, y - 4, side + 326, y - 4);
+    x = told(c, x + 14, y, "not reached");
+    x = told_line(c, x, y, REACH_YES, 1.6, "body there");
     canvas_dash(c, 5, 3);
-    canvas_stroke(c, REACH_NO, 1.3);
-    say(c, side + 332, y, LOOK_SMALL, "the best found where it is not reached");
-    canvas_segment(c, side + 550, y - 4, side + 576, y - 4);
+    x = told_line(c, x, y, REACH_NO, 1.3, "the best found where it is not reached");
     canvas_dash(c, 7, 3);
-    canvas_stroke(c, INK_SOFT, 0.9);
-    canvas_dash(c, 0, 0);
-    say(c, side + 582, y, LOOK_SMALL, "entry line; circle: entry; diamond: deepest in tissue");
+    (void)told_line(c, x, y, INK_SOFT, 0.9, "entry line; circle: entry; diamond: deepest");
 }
 
 static double sheet_height(const reach_sheet *w)
@@ -86,11 +95,13 @@ static status draw(canvas *c, const void *data)
         row(c, w, i);
     }
     legend(c, end - 58);
-    say(c, side, end - 36, LOOK_SMALL,
-        "Shading: the thickness of what the wall encloses, as an "
-        "X-ray shows it. Left: %s; middle: %s; right: %s.%s",
-        reach_camera_name(0), reach_camera_name(1), reach_camera_name(2),
-        r->ntarget > REACH_BODIES ? " Not every body is drawn." : "");
+    char words[512];
+    (void)snprintf(words, sizeof words,
+                   "Shading: the thickness of what the wall encloses, as an X-ray shows it. Left: "
+                   "%s; middle: %s; right: %s. Numbers where there is room.%s",
+                   reach_camera_name(0), reach_camera_name(1), reach_camera_name(2),
+                   r->ntarget > REACH_BODIES ? " Not every body is drawn." : "");
+    (void)say_paragraph(c, side, end - 36, sheet_width - 2 * side - 130, LOOK_SMALL, words);
     scale_bar(c, sheet_width - side, end - 12, 90, w->scale / 1e3);
     return OK;
 }

@@ -10,8 +10,8 @@
 
 enum { ROWS = 40, LEVELS = 7, NONE = LEVELS, ACROSS = 2 };
 
-static const double side = 28, head = 124, foot = 22, sheet_width = 1040, gap = 26, title = 36,
-                    axis = 44, strip = 9, pitch = 13, names = 30, words_width = 92;
+static const double side = 28, head = 124, foot = 22, sheet_width = 1000, gap = 26, title = 36,
+                    axis = 44, strip = 11, pitch = 16, names = 34, words_width = 100;
 
 typedef struct strips {
     const run_result *r;
@@ -81,8 +81,7 @@ static void row_words(const block *b, int row)
     const reach_answer *a = &b->scope->answer[target];
     const bool reached = a->verdict == REACH_REACHED;
     const double y = b->at.y + pitch * row + strip - 1;
-    text_look look = look_inked(LOOK_TICK, reached ? REACH_YES : INK_ACCENT);
-    look.size = 9.5;
+    const text_look look = look_inked(LOOK_TICK, reached ? REACH_YES : INK_ACCENT);
     say(b->c, b->at.x - 8, y, look_aligned(look, TEXT_RIGHT), "%s %d", reached ? "●" : "×",
         target + 1);
     if (a->npoint > 0 && isfinite(a->clearance)) {
@@ -120,7 +119,7 @@ static void s_axis(const block *b)
             number_short(1e3 * k * step, 4).text);
     }
     say(b->c, b->at.x + b->at.w / 2, bottom + 29, look_aligned(LOOK_SMALL, TEXT_CENTRE),
-        "s, mm (below 0: the shaft)");
+        "arclength s (below 0: the shaft), mm");
     if (b->from < 0 && b->to > 0) {
         canvas_segment(b->c, s_at(b, 0), b->at.y - 4, s_at(b, 0), bottom + 4);
         canvas_stroke(b->c, INK, 0.9);
@@ -175,10 +174,14 @@ static void ramp_key(canvas *c, const strips *w, double x, double y)
                 number_short(1e3 * (least + (w->most - least) * (i - 1) / (LEVELS - 1)), 3).text);
         }
     }
-    say(c, x + wide * LEVELS + 10, y, LOOK_SMALL,
-        "mm between skin and tissue; red: %s; grey: outside or channel. The least, and s where it "
-        "is.",
+    const double left = x + wide * LEVELS + 14;
+    char words[256];
+    (void)snprintf(
+        words, sizeof words,
+        "mm between skin and tissue; red: %s; grey: outside or channel. At the right: the "
+        "least, mm, at s, mm.",
         least > 0 ? "less than asked for" : "within the tissue");
+    (void)say_paragraph(c, left, y, sheet_width - side - left, LOOK_SMALL, words);
 }
 
 static double sheet_height(const strips *w)

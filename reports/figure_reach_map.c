@@ -11,7 +11,7 @@
 
 enum { RASTER = 260, HALVES = 2, SIDES = 2, PANELS = HALVES * SIDES, STATES = 3, LIGHTS = 3 };
 
-static const double side = 28, head = 96, foot = 52, sheet_width = 1040, gap = 24, title = 46,
+static const double side = 28, head = 96, foot = 52, sheet_width = 1000, gap = 24, title = 46,
                     highest = 330;
 static const int shown_view[SIDES] = {1, 2}; // of reach_camera
 

@@ -145,9 +145,20 @@ static double crowd(const reach_panel *p, const labels *l, const double at[2])
         sum += fmax(0, 9 - hypot(mark_at[0] - at[0], mark_at[1] - at[1]));
     }
     for (int k = 0; k < l->n; k++) {
-        sum += 2 * fmax(0, 12 - hypot(l->at[k][0] - at[0], l->at[k][1] - at[1]));
+        sum += 2 * fmax(0, 15 - hypot(l->at[k][0] - at[0], l->at[k][1] - at[1]));
     }
     return sum;
+}
+
+// two numbers there could not be read
+static bool taken(const labels *l, const double at[2])
+{
+    for (int k = 0; k < l->n; k++) {
+        if (fabs(l->at[k][0] - at[0]) < 15 && fabs(l->at[k][1] - at[1]) < 9) {
+            return true;
+        }
+    }
+    return false;
 }
 
 static void label(const reach_panel *p, int target, labels *l)
@@ -156,7 +167,7 @@ static void label(const reach_panel *p, int target, labels *l)
     double mark_at[2], best[2] = {0, 0}, least = INFINITY;
     place(p, p->r->target[target], mark_at);
     for (int k = 0; k < 16; k++) {
-        const double angle = acos(-1.0) * (k % 8) / 4, away = k < 8 ? 10 : 17;
+        const double angle = acos(-1.0) * (k % 8) / 4, away = k < 8 ? 11 : 19;
         const double at[2] = {mark_at[0] + away * cos(angle), mark_at[1] - away * sin(angle)};
         const double sum = crowd(p, l, at) + (k < 8 ? 0 : 4);
         if (sum < least) {
@@ -165,15 +176,16 @@ static void label(const reach_panel *p, int target, labels *l)
             best[1] = at[1];
         }
     }
+    if (taken(l, best)) {
+        return;
+    }
     if (hypot(best[0] - mark_at[0], best[1] - mark_at[1]) > 12) {
         canvas_segment(p->c, mark_at[0], mark_at[1], best[0], best[1]);
         canvas_stroke(p->c, INK_FAINT, 0.5);
     }
     text_look look =
         look_aligned(look_inked(LOOK_TICK, reached ? REACH_YES : INK_ACCENT), TEXT_CENTRE);
-    look.size = 6 + 0.9 * p->mark;
-    look.style = TEXT_BOLD;
-    say(p->c, best[0], best[1] + 3.2, look, "%d", target + 1);
+    say(p->c, best[0], best[1] + 4.5, look, "%d", target + 1);
     l->at[l->n][0] = best[0];
     l->at[l->n++][1] = best[1];
 }

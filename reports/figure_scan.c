@@ -199,7 +199,7 @@ static void sigma_draw(canvas *c, const scan_result *r)
     p.y1 = fmax(p.y1, 1e-6);
     say(c, side, p.at.y - 14, LOOK_HEADING, "How well each place across the line is known");
     gaps_draw(c, r, &p);
-    plot_frame(c, &p, "s [mm]", "sigma [mm]");
+    plot_frame(c, &p, "arclength s, mm", "standard deviation, mm");
     curve(c, r, &p, r->fit_sigma, colour_series(1));
     curve(c, r, &p, r->line.sigma, colour_series(0));
     const double x = p.at.x + p.at.w;

@@ -196,7 +196,6 @@ static void principal_axis(canvas *c, const section_sketch *s, const view *v, do
     arrow(c, cx + (b - 9) * ux, cy - (b - 9) * uy, cx + b * ux, cy - b * uy, INK_ACCENT, 1.3);
     text_look look = look_haloed(look_aligned(look_inked(LOOK_TEXT, INK_ACCENT), TEXT_CENTRE));
     look.style = TEXT_ITALIC;
-    look.size = 14;
     say(c, cx + (b + 12) * ux, cy - (b + 12) * uy + 5, look, "%s", name);
 }
 

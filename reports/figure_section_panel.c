@@ -137,7 +137,7 @@ static double numbers(canvas *c, const section_sketch *s, box at, double y)
     text_look symbol = LOOK_TEXT;
     symbol.style = TEXT_ITALIC;
     text_look below = symbol;
-    below.size = 9.5;
+    below.size = SMALLEST_LETTERS;
 
     rule(c, at, y + 12);
     y += 32;

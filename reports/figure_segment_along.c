@@ -27,8 +27,8 @@ static const panel panels[PANELS] = {
     {"Curvature about x", "κx, 1/m", MX, 1, 0},
     {"Curvature about y", "κy, 1/m", MY, 1, 0},
     {"Twist about z", "τ, 1/m", MZ, 1, 0},
-    {"Elongation", "%", NZ, 100, 1},
-    {"Shear along x", "%", NX, 100, 1},
+    {"Elongation", "elongation, %", NZ, 100, 1},
+    {"Shear along x", "shear, %", NX, 100, 1},
     {"Miss of the resultants", "log₁₀ of the miss", -1, 1, 2},
 };
 

@@ -8,13 +8,13 @@
 #include <math.h>
 #include <stdio.h>
 
-enum { MAX_PANELS = 6, ROWS = 6, PAPER_ROWS = 4, STRESS_ROWS = 1 };
+enum { MAX_PANELS = 6, NARROW = 3, ROWS = 6, PAPER_ROWS = 4, STRESS_ROWS = 1 };
 
-static const double side = 28, bar_width = 96, head = 74, view_height = 400, row = 19;
+static const double side = 28, bar_width = 96, head = 74, view_height = 400, row = 19, gap = 30;
 
 typedef struct layout {
-    int npanel;
-    double panel_width, width, height;
+    int npanel, across;
+    double panel_width, panel_height, width, height;
 } layout;
 
 // the paper speaks of the first four only
@@ -26,9 +26,12 @@ static int row_count(const segment_scene *s)
 static layout arrange(const segment_scene *s)
 {
     layout l = {.npanel = s->r->segment.nload < MAX_PANELS ? s->r->segment.nload : MAX_PANELS};
-    l.panel_width = l.npanel <= 2 ? 418 : 300;
-    l.width = 2 * side + bar_width + l.npanel * l.panel_width;
-    l.height = head + view_height + 30 + (row_count(s) + 1) * row + (s->fig4 ? 82 : 56);
+    l.across = l.npanel <= 2 ? l.npanel : l.npanel == 4 ? 2 : NARROW;
+    l.panel_width = l.across < NARROW ? 418 : 282;
+    l.panel_height = view_height + gap + (row_count(s) + 1) * row;
+    l.width = 2 * side + bar_width + l.across * l.panel_width;
+    const int nrow = (l.npanel + l.across - 1) / l.across;
+    l.height = head + nrow * l.panel_height + (nrow - 1) * gap + (s->fig4 ? 82 : 56);
     return l;
 }
 
@@ -66,11 +69,11 @@ typedef struct number_row {
     char text[96];
 } number_row;
 
-static void number_rows(const segment_scene *s, int load, number_row rows[ROWS])
+static void number_rows(const segment_scene *s, int load, bool narrow, number_row rows[ROWS])
 {
     const segment_load_result *l = &s->r->segment.load[load];
     if (s->value == SURFACE_MISES) {
-        rows[0] = (number_row){"largest, a tenth from the ends", NULL, ""};
+        rows[0] = (number_row){"largest off the ends", NULL, ""};
         (void)snprintf(
             rows[0].text, sizeof rows[0].text, "%s MPa",
             number_digits(1e-6 * segment_largest(&s->r->segment.body, l, s->value), 4).text);
@@ -80,9 +83,11 @@ static void number_rows(const segment_scene *s, int load, number_row rows[ROWS])
     const double strain = l->shortening / s->r->segment_length;
 
     rows[0] = (number_row){"shortening, E-weighted", paper.shortening, ""};
-    (void)snprintf(rows[0].text, sizeof rows[0].text, "%s mm = %s %%",
-                   number_fixed(l->shortening * 1e3, 4).text, number_fixed(strain * 100, 2).text);
-    rows[1] = (number_row){"shortening at geometric centre", NULL, ""};
+    (void)snprintf(rows[0].text, sizeof rows[0].text, narrow ? "%s mm" : "%s mm = %s %%",
+                   number_fixed(l->shortening * 1e3, s->fig4 ? 3 : 4).text,
+                   number_fixed(strain * 100, 2).text);
+    rows[1] = (number_row){narrow ? "shortening at geom. centre" : "shortening at geometric centre",
+                           NULL, ""};
     (void)snprintf(rows[1].text, sizeof rows[1].text, "%s mm",
                    number_fixed(-l->tip_displacement[2] * 1e3, 4).text);
     rows[2] = (number_row){"tip angle", paper.tip_angle, ""};
@@ -103,10 +108,10 @@ static void number_rows(const segment_scene *s, int load, number_row rows[ROWS])
 static void number_table(canvas *c, const segment_scene *s, int load, box at)
 {
     number_row rows[ROWS];
-    const double ours = at.x + at.w - (s->fig4 ? 114 : 0), paper = at.x + at.w;
+    const double ours = at.x + at.w - (s->fig4 ? 122 : 0), paper = at.x + at.w;
     const text_look head_look = look_aligned(look_inked(LOOK_SMALL, INK_SOFT), TEXT_RIGHT);
     const text_look number_look = look_inked(head_look, INK);
-    number_rows(s, load, rows);
+    number_rows(s, load, arrange(s).across == NARROW, rows);
 
     say(c, ours, at.y, head_look, "this run");
     if (s->fig4) {
@@ -173,7 +178,9 @@ static status draw(canvas *c, const void *data)
     say_within(c, side, 56, l.width - 2 * side, LOOK_SMALL, s->r->title);
     for (int i = 0; i < l.npanel; i++) {
         const segment_load_result *load = &s->r->segment.load[i];
-        const box at = {side + i * l.panel_width, head, l.panel_width, view_height};
+        const box at = {side + i % l.across * l.panel_width,
+                        head + (double)(i / l.across) * (l.panel_height + gap), l.panel_width,
+                        view_height};
         char place[128];
         say_within(c, at.x, at.y + 14, at.w - 24, LOOK_HEADING, load->name ? load->name : "load");
         (void)snprintf(place, sizeof place, "acts at (%s, %s) mm",
@@ -182,10 +189,10 @@ static status draw(canvas *c, const void *data)
         say(c, at.x, at.y + 30, LOOK_SMALL, "%s", place);
         TRY(segment_view(c, s, i, at, scale));
         scale_bar(c, at.x + at.w - 36, at.y + at.h - 6, 70, scale * 1e-3);
-        number_table(c, s, i, (box){at.x, at.y + at.h + 30, at.w - 24, 0});
+        number_table(c, s, i, (box){at.x, at.y + at.h + gap, at.w - (s->fig4 ? 12 : 24), 0});
     }
     colour_bar(c, s, (box){l.width - side - bar_width + 24, head + 90, 16, view_height - 160});
-    notes(c, s, &l, head + view_height + 30 + (row_count(s) + 1) * row + 18);
+    notes(c, s, &l, l.height - (s->fig4 ? 82 : 56) + 18);
 
 done:
     return st;

@@ -45,12 +45,12 @@ static const struct {
     const char *name, *label;
     double (*value)(const struct rod_run *run);
 } panels[PANELS] = {
-    {"Tip, x", "mm", tip_x},
-    {"Tip, y", "mm", tip_y},
-    {"Tip, z", "mm", tip_z},
-    {"Total bend", "deg", bend},
-    {"Largest strain of a material", "%", strain},
-    {"Smallest eigenvalue (critical at 0)", "1: the rod at rest", eigenvalue},
+    {"Tip, x", "x, mm", tip_x},
+    {"Tip, y", "y, mm", tip_y},
+    {"Tip, z", "z, mm", tip_z},
+    {"Total bend", "bend, °", bend},
+    {"Largest strain of a material", "strain, %", strain},
+    {"Smallest eigenvalue (critical at 0)", "eigenvalue (1: at rest)", eigenvalue},
 };
 
 typedef struct sweep_sheet {
@@ -214,7 +214,7 @@ static void name_abscissa(sweep_sheet *s)
         (void)snprintf(s->along, sizeof s->along, "%s%s%s", name, *unit ? ", " : "", unit);
     } else {
         (void)snprintf(s->along, sizeof s->along, "%s",
-                       same_kind ? kinds[first->lead.kind] : "what varies: N, mm or factor");
+                       same_kind ? kinds[first->lead.kind] : "what varies, each in its unit");
     }
 }
 

@@ -9,7 +9,7 @@
 
 enum { PANELS = 6, BARS = 14 };
 
-static const double side = 28, head = 78, sheet_width = 1000, row = 30, thick = 15, names = 148,
+static const double side = 28, head = 78, sheet_width = 1000, row = 34, thick = 16, names = 150,
                     gap = 26, above = 34, below = 52, label_room = 78;
 
 typedef struct tornado {
@@ -37,7 +37,7 @@ static double panel_height(const tornado *t)
 static double sheet_height(const tornado *t)
 {
     const int rows = (t->npanel + t->columns - 1) / t->columns;
-    return head + rows * panel_height(t) + 46;
+    return head + rows * panel_height(t) + 50;
 }
 
 // a mark far beyond the bars is left out
@@ -112,10 +112,10 @@ static void mark_draw(canvas *c, const plot *p, const mover *q, const move *m, i
 static void name_draw(canvas *c, const mover *q, double x, double y)
 {
     char text[2 * MOVER_TEXT];
-    say_within(c, x, y - 1, names - 8, look_inked(LOOK_SMALL, INK), q->name);
+    say_within(c, x, y - 2, names - 8, look_inked(LOOK_SMALL, INK), q->name);
     (void)snprintf(text, sizeof text, "now %s%s%s", q->text, q->unit[0] ? " " : "",
                    isnan(q->value) ? "" : q->unit);
-    say_within(c, x, y + 10, names - 8, LOOK_TICK, text);
+    say_within(c, x, y + 12, names - 8, LOOK_TICK, text);
 }
 
 static void axis_draw(canvas *c, const plot *p)
@@ -129,7 +129,7 @@ static void axis_draw(canvas *c, const plot *p)
         say(c, plot_x(p, at), y + 13, look_aligned(LOOK_TICK, TEXT_CENTRE), "%s",
             number_short(fabs(at), 3).text);
     }
-    say(c, p->at.x + p->at.w / 2, y + 28, look_aligned(look_inked(LOOK_SMALL, INK), TEXT_CENTRE),
+    say(c, p->at.x + p->at.w / 2, y + 30, look_aligned(look_inked(LOOK_SMALL, INK), TEXT_CENTRE),
         "the tip moves by, mm");
 }
 
@@ -173,13 +173,16 @@ static status draw(canvas *c, const void *data)
         const double x = side + (i % t->columns) * (width + gap);
         panel_draw(c, t, i, (box){x, head + (i / t->columns) * height, width, height});
     }
-    const double y = sheet_height(t) - 26;
-    say(c, side, y, LOOK_SMALL,
-        "Each parameter alone, solved anew: to its low end (left), to its high end (right), to the "
-        "alternative (green). How far the tip is then from where it is as the case stands.");
-    say(c, side, y + 14, LOOK_SMALL,
-        "Open mark: what the derivative alone says. %d of %d parameters, %d of %d solutions.",
+    const double y = sheet_height(t) - 30;
+    char words[512];
+    (void)snprintf(
+        words, sizeof words,
+        "Each parameter alone, solved anew: to its low end (left), to its high end "
+        "(right), to the alternative (green): how far the tip is then from where it is in "
+        "the case. Open mark: what the derivative alone says. %d of %d parameters, %d of "
+        "%d solutions.",
         t->nbar, of(t)->nmover, t->npanel, of(t)->nsolution);
+    (void)say_paragraph(c, side, y, sheet_width - 2 * side, LOOK_SMALL, words);
     return OK;
 }
 

@@ -1,10 +1,10 @@
 // reports/figures.h
-// Pictures by cairo: each as SVG and as PNG from the same routine, byte-identical on a rerun.
+// Pictures by cairo: each as SVG, PDF and PNG from the same routine, byte-identical on a rerun.
 #pragma once
 
 #include "reports/result.h"
 
-// Each writes DIR/<name>.svg and DIR/<name>.png; nothing where the result has no such part.
+// Each writes DIR/<name>.svg, .pdf and .png; nothing where the result has no such part.
 status figure_section(const run_result *r,
                       const char *dir); // section: materials, GC, NC, shear centre, principal axes
 status figure_stresses(const run_result *r,

@@ -10,6 +10,6 @@
 void material_print(const material_result *r, FILE *stream);
 status material_json(json *j, const material_result *r);
 
-// DIR/material.yaml (a block for a case), material.csv, material.json, material.svg, material.png.
+// DIR/material.yaml (a block for a case), material.csv, material.json, material.svg, .pdf and .png.
 status material_files(const char *directory, const void *result); // a material_result
 status figure_material(const material_result *r, const char *directory);

@@ -12,7 +12,7 @@ void scan_print(const scan_result *r, const char *name, FILE *stream);
 status scan_json(json *j, const scan_result *r, const char *name);
 
 // DIR/centreline.csv (what a case's `measured` reads), DIR/centreline.vtk (a line for ParaView),
-// DIR/scan.json, DIR/scan.svg and DIR/scan.png.
+// DIR/scan.json, DIR/scan.svg, .pdf and .png.
 typedef struct scan_named {
     const scan_result *result;
     const char *name;

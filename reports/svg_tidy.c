@@ -43,8 +43,32 @@ const char *svg_element(const char *document)
     return strstr(document, "<svg");
 }
 
+// cairo's pixels as mm on paper, up to `end`
+static status write_size(const char *at, const char *end, double unit, bytes *out)
+{
+    status st = OK;
+    while (at < end) {
+        char *behind = NULL;
+        const bool size = strncmp(at, "width=\"", 7) == 0 || strncmp(at, "height=\"", 8) == 0;
+        const char *number = at + strcspn(at, "\"") + 1;
+        const double pixels = size ? strtod(number, &behind) : 0;
+        if (size && strncmp(behind, "px\"", 3) == 0) {
+            TRY(bytes_append(out, at, (size_t)(number - at)));
+            TRY(bytes_format(out, "%.8gmm", pixels * unit));
+            at = behind + 2;
+        } else {
+            const size_t n = 1 + strcspn(at + 1, "wh>");
+            TRY(bytes_append(out, at, n));
+            at += n;
+        }
+    }
+
+done:
+    return st;
+}
+
 // The opening tag with its title. *from is moved behind it.
-static status open_document(const char **from, const char *title, bytes *out)
+static status open_document(const char **from, const char *title, double unit, bytes *out)
 {
     status st = OK;
     const char *start = svg_element(*from);
@@ -55,7 +79,8 @@ static status open_document(const char **from, const char *title, bytes *out)
 
     TRY(bytes_append(out, *from, (size_t)(start - *from)));
     TRY(bytes_text(out, "<svg role=\"img\""));
-    TRY(bytes_append(out, start + 4, (size_t)(end + 1 - start - 4)));
+    TRY(write_size(start + 4, end, unit, out));
+    TRY(bytes_text(out, ">"));
     TRY(bytes_text(out, "\n<title>"));
     TRY(markup_escape(out, title, strlen(title)));
     TRY(bytes_text(out, "</title>"));
@@ -213,12 +238,12 @@ static status apply(action a, const char **at, const char *name, bytes *out)
     }
 }
 
-status svg_tidy(const bytes *raw, const char *name, const char *title, bytes *out)
+status svg_tidy(const bytes *raw, const char *name, const char *title, double unit, bytes *out)
 {
     status st = OK;
     const char *at = raw->data ? raw->data : "";
 
-    TRY(open_document(&at, title, out));
+    TRY(open_document(&at, title, unit, out));
     while (*at) {
         size_t i = 0, n = 0;
         for (; i < sizeof edits / sizeof *edits; i++) {

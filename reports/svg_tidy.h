@@ -6,8 +6,9 @@
 
 #include "reports/markup.h"
 
-// name: in front of every id. title: of the document, escaped here.
-status svg_tidy(const bytes *raw, const char *name, const char *title, bytes *out);
+// name: in front of every id. title: of the document, escaped here. unit: how many mm a pixel of
+// cairo's is on paper; the document's size is told in mm.
+status svg_tidy(const bytes *raw, const char *name, const char *title, double unit, bytes *out);
 
 // Where the <svg> element begins: what a page takes in. NULL when there is none.
 const char *svg_element(const char *document);

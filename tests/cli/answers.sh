@@ -30,6 +30,7 @@ expect 0 "$program" section "$source/cases/constant_nc.yaml"
 ! grep -q wrench "$work/out" || fail 'wrenches that nobody asked for'
 
 expect 0 "$program" section "$work/bar.yaml" --out "$work/bar"
+paper "$work/bar"
 for file in stresses.csv kern.csv stresses.svg; do
     [ -s "$work/bar/$file" ] || fail "no $file"
 done

@@ -49,6 +49,7 @@ design() {
 }
 
 expect 0 "$program" design "$work/toy.yaml" --out "$work/one"
+paper "$work/one"
 out 'at first        0 of 2 targets'
 out 'found           2 of 2 targets'
 [ "$(grep -c '^[0-9]' "$work/one.design-log")" -eq 80 ] || fail 'not every design is in the log'

@@ -61,11 +61,12 @@ END
 grep -q 'SYNTHETIC' out.txt || fail "the table does not say synthetic"
 grep -Eq '^tendon radius +3\.5(50|49|51)' out.txt || fail "radius: $(grep '^tendon' out.txt)"
 grep -Eq '^friction +0\.(200|1999|2000|2001)' out.txt || fail "friction: $(grep '^friction' out.txt)"
-for file in fit.svg fit.png fit.csv fit_residuals.csv fitted.yaml report.html result.hdf; do
+for file in fit.svg fit.pdf fit.png fit.csv fit_residuals.csv fitted.yaml report.html result.hdf; do
     [ -s "out/$file" ] || fail "no $file"
 done
 grep -q 'Fitted to synthetic shapes' out/report.html || fail "the page does not say fitted"
 "$STIFFAXIS" fit case.yaml --quiet --json | grep -q '"schema": *"stiffaxis/fit/1"' || fail "no fit document"
+python3 "$STIFFAXIS_SOURCE/tests/cli/figures.py" out || fail "figures not fit for paper"
 "$STIFFAXIS" report out --quiet --out again > /dev/null && cmp -s out/fit.svg again/fit.svg || fail "report differs"
 
 # the fitted case goes on where it is written, and anywhere else, and says what it is

@@ -8,10 +8,11 @@ data=$source/cases/tensile/soft_synthetic.csv
 # the example is what its script makes, and says what it is
 awk -f "$source/cases/tensile/make.awk" | cmp -s - "$data" || fail 'cases/tensile/soft_synthetic.csv is not what make.awk makes'
 expect 0 "$program" material "$data" --set name=soft --set source=synthetic --out "$work/soft"
+paper "$work/soft"
 out 'SYNTHETIC data'
 out 'soft: E = 0.6'
 out 'of 5 curves'
-for file in material.yaml material.csv material.json material.svg material.png; do
+for file in material.yaml material.csv material.json material.svg material.pdf material.png; do
     [ -s "$work/soft/$file" ] || fail "$file is missing"
 done
 grep -q SYNTHETIC "$work/soft/material.yaml" || fail 'the block does not say that the data is synthetic'

@@ -60,8 +60,9 @@ expect 1 alone compare "$work/rod.yaml" --set measured.tolerance=1e-6
 
 # everything is in the result, and comes back from it
 expect 0 alone run "$work/rod.yaml" --out "$work/result"
+paper "$work/result"
 out 'measured 1 shape'
-for file in measured.csv measured_shapes.csv measured.svg measured.png measured_along.svg; do
+for file in measured.csv measured_shapes.csv measured.svg measured.pdf measured.png measured_along.svg; do
     [ -s "$work/result/$file" ] || fail "no $file"
 done
 expect 0 "$program" report "$work/result" --out "$work/again"

@@ -6,7 +6,7 @@ case=$source/cases/helical_nc.yaml
 dir=$work/results/helical
 
 expect 0 "$program" run "$case" --out "$dir"
-for file in result.hdf report.html case.yaml section.svg section.png rods.svg rods.png wrench.svg tendons.svg sections.csv rods.csv \
+for file in result.hdf report.html case.yaml section.svg section.pdf section.png rods.svg rods.pdf rods.png wrench.svg tendons.svg sections.csv rods.csv \
     shapes.csv compare.csv; do
     [ -s "$dir/$file" ] || fail "$file is missing or empty"
 done
@@ -48,7 +48,7 @@ fi
 # the page from the stored result alone: the same figures and tables, byte for byte, and no case needed
 cp "$dir/result.hdf" "$work/alone.hdf"
 expect 0 "$program" report "$work/alone.hdf" --out "$work/again"
-for file in section.svg rods.svg curvature.svg wrench.svg tendons.svg sections.csv rods.csv shapes.csv; do
+for file in section.svg section.pdf rods.svg curvature.svg wrench.svg tendons.svg sections.csv rods.csv shapes.csv; do
     cmp -s "$dir/$file" "$work/again/$file" || fail "$file differs when made again"
 done
 expect 0 "$program" report "$dir"

@@ -96,6 +96,7 @@ fi
 # --- ways in
 
 expect 0 "$program" reach "$work/box.yaml" --set reach.path=insertion --set reach.map.points=50 --out "$work/ways" --quiet
+paper "$work/first" "$work/ways"
 expect 0 "$program" report "$work/ways/result.hdf" --out "$work/ways_again"
 out 'final poses and ways in'
 for file in reach.csv reach_way.csv report.html; do

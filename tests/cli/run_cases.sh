@@ -5,6 +5,7 @@ set -u
 
 for name in fig4 homogeneous_tube; do
     expect 0 "$program" run "$source/cases/$name.yaml" --out "$work/$name"
+    paper "$work/$name"
     [ "$(wc -l <"$work/out")" -le 24 ] || fail "$name: the summary is longer than 24 lines"
     [ -s "$work/$name/report.html" ] || fail "$name: no page"
 done

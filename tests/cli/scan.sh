@@ -60,9 +60,10 @@ scan:
     - {name: front, cloud_mm: [0, 30, 0], rod_mm: [-30, 0, 0], sigma_mm: 0.1}
 END
 expect 0 "$program" scan "$work/scan.yaml" --out "$work/result"
+paper "$work/result"
 out 'synthetic: made, not measured'
 out 'fiducial left: 0.0000 mm'
-for name in centreline.csv centreline.vtk scan.json scan.svg scan.png; do
+for name in centreline.csv centreline.vtk scan.json scan.svg scan.pdf scan.png; do
     [ -s "$work/result/$name" ] || fail "no $name"
 done
 valid_json "$work/result/scan.json"

@@ -94,7 +94,7 @@ out 'Monte Carlo: 60 samples, seed 3'
 
 # --- `run` does it where the case asks for it; the page, tables and the store
 expect 0 "$program" run "$work/case.yaml" --out "$work/result"
-for file in tornado.svg tornado.png sensitivity.csv monte_carlo.csv; do
+for file in tornado.svg tornado.pdf tornado.png sensitivity.csv monte_carlo.csv; do
     [ -s "$work/result/$file" ] || fail "no $file"
 done
 grep -q 'id="sensitivity"' "$work/result/report.html" || fail 'not on the page'

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <ctype.h>
+#include <dirent.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -20,58 +21,16 @@ static inline void scratch_make(char dir[64])
 
 static inline void scratch_free(const char *dir)
 {
-    static const char *const files[] = {"section.svg",
-                                        "section.png",
-                                        "segment.svg",
-                                        "segment.png",
-                                        "rods.svg",
-                                        "rods.png",
-                                        "report.html",
-                                        "curvature.svg",
-                                        "curvature.png",
-                                        "summary",
-                                        "stresses.svg",
-                                        "stresses.png",
-                                        "sections.csv",
-                                        "stresses.csv",
-                                        "kern.csv",
-                                        "result.hdf",
-                                        "rods.csv",
-                                        "shapes.csv",
-                                        "wrench.svg",
-                                        "wrench.png",
-                                        "tendons.svg",
-                                        "tendons.png",
-                                        "sweep.svg",
-                                        "sweep.png",
-                                        "segment_stress.svg",
-                                        "segment_stress.png",
-                                        "segment_along.svg",
-                                        "segment_along.png",
-                                        "segment_mesh.svg",
-                                        "segment_mesh.png",
-                                        "segment.csv",
-                                        "compare.csv",
-                                        "models.csv",
-                                        "segment_slices.csv",
-                                        "measured.csv",
-                                        "measured_shapes.csv",
-                                        "measured.svg",
-                                        "measured.png",
-                                        "measured_along.svg",
-                                        "measured_along.png",
-                                        "reach.svg",
-                                        "reach.png",
-                                        "reach_clearance.svg",
-                                        "reach_clearance.png",
-                                        "reach_map.svg",
-                                        "reach_map.png",
-                                        "design.svg",
-                                        "design.png"};
-    char path[256];
-    for (size_t i = 0; i < sizeof files / sizeof *files; i++) {
-        (void)snprintf(path, sizeof path, "%s/%s", dir, files[i]);
-        (void)unlink(path);
+    char path[512];
+    DIR *all = opendir(dir);
+    for (struct dirent *e = all ? readdir(all) : NULL; e; e = readdir(all)) {
+        if (e->d_name[0] != '.') {
+            (void)snprintf(path, sizeof path, "%s/%s", dir, e->d_name);
+            (void)unlink(path);
+        }
+    }
+    if (all) {
+        (void)closedir(all);
     }
     if (rmdir(dir) != 0) {
         perror(dir);

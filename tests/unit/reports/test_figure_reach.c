@@ -48,6 +48,8 @@ static void pictures_are_the_same_every_time(void)
         CHECK(same_file(first, second, file));
         (void)snprintf(file, sizeof file, "%s.png", names[i]);
         CHECK(same_file(first, second, file));
+        (void)snprintf(file, sizeof file, "%s.pdf", names[i]);
+        CHECK(same_file(first, second, file));
     }
     run_result_free(&r);
     scratch_free(first);

@@ -25,6 +25,41 @@ static void check_png(const char *dir, const char *name)
     free(png);
 }
 
+static const char *within(const char *data, size_t length, const char *word)
+{
+    const size_t n = strlen(word);
+    for (size_t i = 0; data && i + n <= length; i++) {
+        if (memcmp(data + i, word, n) == 0) {
+            return data + i;
+        }
+    }
+    return NULL;
+}
+
+// as large as the SVG, letters within, no time of writing
+static void check_pdf(const char *dir, const char *name)
+{
+    char file[64];
+    size_t length = 0;
+    double mm[2] = {0}, points[2] = {0};
+    (void)snprintf(file, sizeof file, "%s.svg", name);
+    char *svg = whole_file(dir, file, &length);
+    const char *size = svg ? strstr(svg, "width=\"") : NULL;
+    CHECK(size && sscanf(size, "width=\"%lfmm\" height=\"%lfmm\"", &mm[0], &mm[1]) == 2);
+    free(svg);
+    (void)snprintf(file, sizeof file, "%s.pdf", name);
+    char *pdf = whole_file(dir, file, &length);
+    CHECK(pdf && length > 10000 && memcmp(pdf, "%PDF-1.", 7) == 0);
+    const char *box = within(pdf, length, "/MediaBox");
+    CHECK(!within(pdf, length, "Date") && within(pdf, length, "/FontFile"));
+    CHECK(box && sscanf(box, "/MediaBox [ 0 0 %lf %lf", &points[0], &points[1]) == 2);
+    for (int d = 0; d < 2; d++) {
+        CHECK_NEAR(points[d] * 25.4 / 72, mm[d], 1e-5 * mm[d]); // six decimals of a point
+    }
+    CHECK(mm[0] <= 180 + 1e-9);
+    free(pdf);
+}
+
 static void check_svg(const char *dir, const char *name)
 {
     char file[64], start[80];
@@ -54,6 +89,7 @@ static void every_figure_is_written(double turns, int nsolution, const char *dir
     for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
         check_svg(dir, names[i]);
         check_png(dir, names[i]);
+        check_pdf(dir, names[i]);
     }
     synthetic_free(&r);
 }
@@ -101,6 +137,8 @@ static void a_rerun_gives_the_same_bytes(void)
         (void)snprintf(file, sizeof file, "%s.svg", names[i]);
         CHECK(same_file(first, second, file));
         (void)snprintf(file, sizeof file, "%s.png", names[i]);
+        CHECK(same_file(first, second, file));
+        (void)snprintf(file, sizeof file, "%s.pdf", names[i]);
         CHECK(same_file(first, second, file));
     }
     scratch_free(first);
@@ -155,14 +193,15 @@ static void sweeps_and_loads_are_drawn(void)
     size_t length = 0;
     scratch_make(dir);
     CHECK_OK(synthetic_loaded_make(7, 0.3, -0.5, LOADS, &r));
-    CHECK_OK(figures_all(&r, dir));
+    CHECK_OK(figure_rods(&r, dir));
+    CHECK_OK(figure_sweep(&r, dir));
     CHECK(whole_file(dir, "sweep.svg", &length) == NULL);
     check_svg(dir, "rods");
     char *loaded = whole_file(dir, "rods.svg", &length);
     for (int i = 0; i < r.rod.nsolution; i++) {
         memset(r.rod.run[i].load, 0, LOADS * sizeof(double));
     }
-    CHECK_OK(figures_all(&r, dir));
+    CHECK_OK(figure_rods(&r, dir));
     char *bare = whole_file(dir, "rods.svg", &length);
     CHECK(loaded && bare && count_of(loaded, "<path") > count_of(bare, "<path") + 4 * 3);
     free(loaded);
@@ -172,7 +211,8 @@ static void sweeps_and_loads_are_drawn(void)
     CHECK_OK(synthetic_loaded_make(120, 0.3, -0.5, LOADS, &r));
     r.rod.run[30].fraction = 0.5;
     r.rod.run[40].stable = 0;
-    CHECK_OK(figures_all(&r, dir));
+    CHECK_OK(figure_rods(&r, dir));
+    CHECK_OK(figure_sweep(&r, dir));
     check_svg(dir, "sweep");
     check_png(dir, "sweep");
     check_svg(dir, "rods");

@@ -5,7 +5,7 @@
 #include <string.h>
 
 static const char raw_svg[] =
-    "<?xml version=\"1.0\"?>\n<svg width=\"10px\" viewBox=\"0 0 10 10\">\n"
+    "<?xml version=\"1.0\"?>\n<svg width=\"10px\" height=\"6.25px\" viewBox=\"0 0 10 10\">\n"
     "<g><symbol id=\"glyph0-1\"><path style=\"stroke:none;\" d=\"M 0.501953 1.765625 Z M 0.501953 "
     "1.765625 \"/>"
     "</symbol></g>\n<g id=\"surface17\" clip-path=\"url(#clip1)\">"
@@ -18,7 +18,8 @@ static const char raw_svg[] =
     "<path d=\"M 1 2 C 1 2.5 1.5 3 -0.25 1 L -0.5 2 Z L 0 2.333\"/></g></svg>\n";
 
 static const char wanted_svg[] =
-    "<?xml version=\"1.0\"?>\n<svg role=\"img\" width=\"10px\" viewBox=\"0 0 10 10\">\n<title>a "
+    "<?xml version=\"1.0\"?>\n<svg role=\"img\" width=\"2mm\" height=\"1.25mm\" viewBox=\"0 0 10 "
+    "10\">\n<title>a "
     "&amp; b</title>\n"
     "<g><symbol id=\"rods-glyph0-1\"><path style=\"stroke:none;\" d=\"M.5 1.77z\"/>"
     "</symbol></g>\n<g id=\"rods-surface\" clip-path=\"url(#rods-clip1)\">"
@@ -31,7 +32,7 @@ static void ids_get_a_name_and_defaults_go(void)
 {
     bytes raw = {0}, out = {0};
     CHECK_OK(bytes_text(&raw, raw_svg));
-    CHECK_OK(svg_tidy(&raw, "rods", "a & b", &out));
+    CHECK_OK(svg_tidy(&raw, "rods", "a & b", 0.2, &out));
     CHECK(out.data && strcmp(out.data, wanted_svg) == 0);
     if (test_failures) {
         printf("%s\n", out.data);
@@ -44,10 +45,10 @@ static void ids_get_a_name_and_defaults_go(void)
 static void something_else_is_refused(void)
 {
     bytes raw = {0}, out = {0};
-    CHECK(svg_tidy(&raw, "a", "b", &out) == ERR_BUG);
+    CHECK(svg_tidy(&raw, "a", "b", 1, &out) == ERR_BUG);
     status_clear();
     CHECK_OK(bytes_text(&raw, "<html><svg"));
-    CHECK(svg_tidy(&raw, "a", "b", &out) == ERR_BUG);
+    CHECK(svg_tidy(&raw, "a", "b", 1, &out) == ERR_BUG);
     status_clear();
     bytes_free(&raw);
     bytes_free(&out);
