@@ -1,6 +1,8 @@
 // app/case_value.c
 #include "app/case_value.h"
 
+#include "base/nearest.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -111,6 +113,16 @@ static void take_value(const key *k, const char *at, double factor, case_value *
     }
 }
 
+static void offer_spellings(const key *k, nearest *near)
+{
+    char names[MOST_SPELLINGS][64];
+    double factors[MOST_SPELLINGS];
+    const int all = key_spellings(k, MOST_SPELLINGS, names, factors);
+    for (int i = 0; i < all && i < MOST_SPELLINGS; i++) {
+        nearest_offer(near, names[i], names[i]);
+    }
+}
+
 status case_value_find(const case_data *c, const char *path, mark at, case_value *out)
 {
     key_table root;
@@ -144,5 +156,11 @@ status case_value_find(const case_data *c, const char *path, mark at, case_value
             break;
         }
     }
-    return config_fail(c->config, at, "the case has no '%.60s' at '%.100s'", word, path);
+    char words[NEAREST_WORDS];
+    nearest near = nearest_to(word);
+    for (int i = 0; s.at && i < s.table->nkey; i++) {
+        offer_spellings(&s.table->keys[i], &near);
+    }
+    return config_fail(c->config, at, "the case has no '%.60s' at '%.100s'%s", word, path,
+                       nearest_words(&near, words));
 }

@@ -31,6 +31,11 @@ static status find_subcommand(const char *word, const subcommand **out)
         }
         nearest_offer(&near, sub->name, sub->name);
     }
+    const size_t n = strlen(word);
+    if (n > 5 && strcmp(word + n - 5, ".yaml") == 0) {
+        return status_fail(ERR_INPUT, "a command comes before '%s', as in: stiffaxis run %s", word,
+                           word);
+    }
     return fail_unknown("command", word, &near);
 }
 
@@ -137,8 +142,9 @@ static status take_word(command *cmd, const char *word)
     const bool several =
         strstr(cmd->sub->argument, "...") != NULL || strchr(cmd->sub->argument, '|') != NULL;
     if (cmd->argument && !several) {
-        return status_fail(ERR_INPUT, "%s takes one %s, not '%s' too", cmd->sub->name,
-                           cmd->sub->argument, word);
+        const char *what = cmd->sub->argument + (cmd->sub->argument[0] == '[');
+        return status_fail(ERR_INPUT, "%s takes one %.*s, not '%s' too", cmd->sub->name,
+                           (int)strcspn(what, "]"), what, word);
     }
     if (cmd->nargument == COMMAND_MAX_ARGUMENTS) {
         return status_fail(ERR_INPUT, "%s takes at most %d files", cmd->sub->name,
@@ -160,8 +166,8 @@ static status check_command(const command *cmd)
         return status_fail(ERR_INPUT, "a command is missing: see stiffaxis --help");
     }
     if (sub->argument && sub->argument[0] != '[' && !cmd->argument) {
-        return status_fail(ERR_INPUT, "%s needs a %s, for example: %s", sub->name, sub->argument,
-                           sub->example);
+        return status_fail(ERR_INPUT, "%s needs %s%s, for example: %s", sub->name,
+                           strchr(sub->argument, '|') ? "" : "a ", sub->argument, sub->example);
     }
     for (int i = 0; i < OPTION_COUNT; i++) {
         if ((cmd->given & 1U << i) && i != OPTION_SET && !option_known_to(&options[i], sub)) {

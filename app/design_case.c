@@ -192,9 +192,10 @@ done:
 status case_need_design(const case_data *c)
 {
     status st = OK;
-    TRY(case_need_reach(c));
     if (!case_has_design(c)) {
-        return config_fail(c->config, c->file.reach.at, "the case has no 'reach.design'");
+        return config_fail(c->config,
+                           mark_given(c->file.reach.at) ? c->file.reach.at : (mark){1, 1},
+                           "the case has no 'reach.design'");
     }
     TRY(case_design_check(c));
 

@@ -16,6 +16,19 @@
 
 // --- the tissue
 
+// what is wrong in the file, and where the case names it
+static status file_place(const case_data *c, status st, mark at)
+{
+    char words[1024], place[CONFIG_PLACE_TEXT];
+    if (st != ERR_FILE || strstr(status_message(), ": error: ")) {
+        return case_place(c, st, at);
+    }
+    (void)snprintf(words, sizeof words, "%s", status_message());
+    config_place_text(c->config, at, place);
+    status_clear();
+    return status_fail(st, "%serror: %s", place, words);
+}
+
 static status read_tissue(const case_data *c, reach_scene *out)
 {
     status st = OK;
@@ -28,7 +41,7 @@ static status read_tissue(const case_data *c, reach_scene *out)
     (void)snprintf(out->path, sizeof out->path, "%s", r->tissue.text);
     const surface_options options = {.path = path, .merge = r->merge};
     st = surface_read(&options, reach_unit_metres(r->tissue_unit), &out->tissue, &out->report);
-    TRY(case_place(c, st, r->tissue.at));
+    TRY(file_place(c, st, r->tissue.at));
     TRY(distance_tree_make(&out->tissue, &out->tree));
 
 done:
@@ -241,20 +254,6 @@ static status check_inside(const case_data *c, const table *t, reach_scene *s)
                        outside > 1 ? " that do" : "");
 }
 
-// what is wrong in the file, and where the case names it
-static status targets_place(const case_data *c, status st)
-{
-    char words[1024], place[CONFIG_PLACE_TEXT];
-    const mark at = c->file.reach.targets.at;
-    if (st != ERR_FILE || strstr(status_message(), ": error: ")) {
-        return case_place(c, st, at);
-    }
-    (void)snprintf(words, sizeof words, "%s", status_message());
-    config_place_text(c->config, at, place);
-    status_clear();
-    return status_fail(st, "%serror: %s", place, words);
-}
-
 static status read_targets(const case_data *c, reach_scene *out)
 {
     status st = OK;
@@ -265,7 +264,7 @@ static status read_targets(const case_data *c, reach_scene *out)
     table t = {0};
     case_folder(c, folder, sizeof folder);
     st = table_read(folder[0] ? folder : NULL, &r->targets, &limits, &t);
-    TRY(targets_place(c, st));
+    TRY(file_place(c, st, c->file.reach.targets.at));
     TRY(TAKE(out->target, (size_t)t.nrow));
     TRY(TAKE(out->name, (size_t)t.nrow));
     TRY(TAKE(out->depth, (size_t)t.nrow));

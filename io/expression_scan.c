@@ -13,11 +13,14 @@ static const char *const functions[] = {
     "tanh", "asinh", "acosh", "atanh", "exp",  "ln",   "log",   "log2", "log10",
     "sqrt", "abs",   "rint",  "sign",  "min",  "max",  "sum",   "avg",
 };
+// those of them that take more than one number
+static const char *const functions_of_several[] = {"atan2", "min", "max", "sum", "avg"};
 static const char *const constants[] = {"pi", "L", "s"};
 static const char *const places[] = {"x", "y"};
 
 enum {
     NFUNCTION = sizeof functions / sizeof *functions,
+    NSEVERAL = sizeof functions_of_several / sizeof *functions_of_several,
     NCONSTANT = sizeof constants / sizeof *constants,
     NPLACE = sizeof places / sizeof *places,
 };
@@ -28,8 +31,10 @@ typedef struct scan {
     expression_error *error;
     int at;
     int depth;
-    char open[CONFIG_MAX_EXPRESSION + 1]; // 'f': the parentheses of a function, '(': others
+    char open[CONFIG_MAX_EXPRESSION + 1]; // 'f': the parentheses of a function, '1': of one
+                                          // that takes one number, '(': others
     bool after_function;                  // a parenthesis must follow
+    bool takes_several;                   // the function does
     bool after_number;
 } scan;
 
@@ -76,13 +81,14 @@ static status unknown_name(scan *s, const char *name)
 {
     char words[NEAREST_WORDS];
     nearest near = nearest_to(name);
-    for (int i = 0; i < NCONSTANT; i++) {
+    const bool function = s->text[s->at + name_length(s->text + s->at)] == '(';
+    for (int i = 0; i < NCONSTANT && !function; i++) {
         nearest_offer(&near, constants[i], constants[i]);
     }
-    for (int i = 0; i < NFUNCTION; i++) {
+    for (int i = 0; i < NFUNCTION && function; i++) {
         nearest_offer(&near, functions[i], functions[i]);
     }
-    for (int i = 0; i < NPLACE && s->scope->has_place; i++) {
+    for (int i = 0; i < NPLACE && s->scope->has_place && !function; i++) {
         nearest_offer(&near, places[i], places[i]);
     }
     if (near.best[0]) {
@@ -102,7 +108,13 @@ static status scan_name(scan *s)
     const int n = name_length(s->text + s->at);
     (void)snprintf(name, sizeof name, "%.*s", n, s->text + s->at);
     if (s->after_number) {
-        return expression_refuse(s->error, s->at, "an operator is missing before '%s'", name);
+        char suffix[sizeof name + 1];
+        double factor = 1;
+        (void)snprintf(suffix, sizeof suffix, "_%s", name);
+        return expression_refuse(s->error, s->at, "an operator is missing before '%s'%s", name,
+                                 key_written_unit(suffix, &factor)[0]
+                                     ? ": units stand in the key's name, numbers alone here"
+                                     : "");
     }
     if (strcmp(name, "L") == 0 && !s->scope->has_L) {
         return expression_refuse(s->error, s->at, "L is not known here: %s", s->scope->no_L);
@@ -111,6 +123,7 @@ static status scan_name(scan *s)
         return expression_refuse(s->error, s->at, "s may not stand here: %s", s->scope->no_s);
     }
     s->after_function = is_one_of(name, NFUNCTION, functions);
+    s->takes_several = is_one_of(name, NSEVERAL, functions_of_several);
     const bool place = s->scope->has_place && is_one_of(name, NPLACE, places);
     if (!s->after_function && !place && !is_one_of(name, NCONSTANT, constants)) {
         return unknown_name(s, name);
@@ -142,11 +155,13 @@ static void scan_number(scan *s)
 static status scan_bracket(scan *s, char c, bool function)
 {
     if (c == '(') {
-        s->open[s->depth++] = function ? 'f' : '(';
+        s->open[s->depth++] = !function ? '(' : s->takes_several ? 'f' : '1';
     } else if (s->depth == 0) {
         return expression_refuse(s->error, s->at, "')' without '('");
     } else if (c == ')') {
         s->depth--;
+    } else if (s->open[s->depth - 1] == '1') {
+        return expression_refuse(s->error, s->at, "',' in a function that takes one number");
     } else if (s->open[s->depth - 1] != 'f') {
         return expression_refuse(s->error, s->at, "',' outside of a function's parentheses");
     }
@@ -223,8 +238,13 @@ status expression_scan(const char *text, const expression_scope *scope, expressi
         }
     }
     if (s.depth > 0 || s.after_function) {
+        const bool open = s.depth > 0, function = open && s.open[s.depth - 1] != '(';
+        // a list or map in brackets ends the text there
         return expression_refuse(error, s.at,
-                                 s.depth > 0 ? "')' is missing" : "a function wants parentheses");
+                                 function ? "')' is missing; a ',' in brackets needs quotes around "
+                                            "the whole"
+                                 : open   ? "')' is missing"
+                                          : "a function wants parentheses");
     }
     return OK;
 }

@@ -204,6 +204,11 @@ status key_unknown(const config *cfg, const key_table *table, const node *entry)
 {
     status st = OK;
     nearest near = nearest_to(entry->key);
+    if (strpbrk(entry->key, " :")) {
+        return config_fail(cfg, entry->key_at,
+                           "'%s' is no key: a key ends with ': ', and then its value comes",
+                           shortened(entry->key).a);
+    }
     for (int i = 0; i < table->nkey; i++) {
         offer_spellings(&table->keys[i], &near);
     }

@@ -75,8 +75,12 @@ static status arithmetic_fails(const value_key *v, const node *n, const expressi
     }
     // a single word was hardly meant as arithmetic
     if (is_word(n->text) && strncmp(error->words, "unknown", 7) == 0) {
-        return config_fail(v->cfg, at, "'%s': expected a number, found '%s'",
-                           shortened(v->written).a, shortened(n->text).a);
+        char words[NEAREST_WORDS];
+        nearest near = nearest_to(n->text);
+        nearest_offer(&near, "pi", "pi");
+        return config_fail(v->cfg, at, "'%s': expected a number, found '%s'%s",
+                           shortened(v->written).a, shortened(n->text).a,
+                           nearest_words(&near, words));
     }
     return config_fail(v->cfg, at, "'%s': %s", shortened(v->written).a, error->words);
 }
@@ -126,6 +130,10 @@ static status check_range(const value_key *v, const node *n, double *si, const c
     limit_text(v, *si, value, sizeof value);
     limit_text(v, least, from, sizeof from);
     limit_text(v, most, to, sizeof to);
+    if (least == most) {
+        return config_fail(v->cfg, n->at, "'%s': %s%s is out of range, only %s is known", name.a,
+                           value, at_s, from);
+    }
     if (!isfinite(most)) {
         return config_fail(v->cfg, n->at, "'%s': %s%s is out of range, %s at least", name.a, value,
                            at_s, from);

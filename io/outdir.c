@@ -51,7 +51,8 @@ static status make_work_directory(const outdir *d)
             return st;
         }
     }
-    return mkdir(d->work, 0777) == 0 ? OK : disk_fail(d->work, "make the directory");
+    // its own name is nobody's concern
+    return mkdir(d->work, 0777) == 0 ? OK : disk_fail(d->target, "make the directory");
 }
 
 static status copy_target(const char *path, char *target, size_t size)

@@ -1,6 +1,7 @@
 // io/override.c
 #include "io/override.h"
 
+#include "base/nearest.h"
 #include "io/case_text.h"
 #include "io/key_names.h"
 #include "io/yaml_door.h"
@@ -65,16 +66,21 @@ static status find_item(const override *o, const node *list, const char *part, n
         }
         return OK;
     }
+    char words[NEAREST_WORDS];
+    nearest near = nearest_to(part);
     for (node *item = list->first; item; item = item->next) {
         const node *name = item->kind == NODE_MAP ? entry_of(item, "name") : NULL;
+        if (name && name->kind == NODE_SCALAR) {
+            nearest_offer(&near, name->text, name->text);
+        }
         if (name && name->kind == NODE_SCALAR && strcmp(name->text, part) == 0) {
             *out = item;
             return OK;
         }
     }
-    return config_fail(o->cfg, o->at,
-                       "'%s' is a list: no entry is named '%s', and '%s' is no number",
-                       shortened(o->name).a, shortened(part).a, shortened(part).a);
+    return config_fail(
+        o->cfg, o->at, "'%s' is a list: no entry is named '%s', and '%s' is no number%s",
+        shortened(o->name).a, shortened(part).a, shortened(part).a, nearest_words(&near, words));
 }
 
 // a new map entry at the end

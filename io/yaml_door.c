@@ -40,6 +40,42 @@ static status refuse(const builder *b, const yaml_event_t *event, const char *wo
     return config_fail(b->cfg, place(b, event->start_mark), "%s", words);
 }
 
+// libyaml's words, and what they mean to who wrote the case
+static const char *plain_words(const char *words)
+{
+    static const char *const known[][2] = {
+        {"mapping values are not allowed in this context",
+         "a ': ' where no key can stand; look at the indentation and the line above, or put the "
+         "text in quotes"},
+        {"did not find expected ',' or ']'", "',' or ']' is missing"},
+        {"did not find expected ',' or '}'", "',' or '}' is missing"},
+        {"did not find expected key", "a key is expected here; look at the indentation"},
+        {"did not find expected '-' indicator",
+         "an entry with '- ' is expected here; look at the indentation"},
+        {"did not find expected node content", "a value is missing"},
+        {"did not find expected <document start>",
+         "nothing can follow here; look at the indentation"},
+        {"could not find expected ':'", "a ':' is missing behind the key"},
+        {"block sequence entries are not allowed in this context",
+         "no list can begin with '- ' here; put it on lines of its own"},
+        {"found unexpected end of stream", "the closing quote is missing"},
+        {"found unknown escape character",
+         "'\\' begins a special character in double quotes; take single ones"},
+        {"while parsing a flow sequence", "in the list"},
+        {"while parsing a flow mapping", "in the map"},
+        {"while parsing a block mapping", "in the map"},
+        {"while parsing a block collection", "in the list"},
+        {"while scanning a quoted scalar", "of the text"},
+        {"while scanning a simple key", "of what"},
+    };
+    for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
+        if (strcmp(words, known[i][0]) == 0) {
+            return known[i][1];
+        }
+    }
+    return words;
+}
+
 static status syntax_error(const builder *b)
 {
     const yaml_parser_t *p = &b->parser;
@@ -47,7 +83,7 @@ static status syntax_error(const builder *b)
         return status_fail(ERR_RESOURCE, "out of memory while reading YAML");
     }
     const mark at = place(b, p->problem_mark);
-    const char *problem = p->problem ? p->problem : "unreadable";
+    const char *problem = plain_words(p->problem ? p->problem : "unreadable");
     if (strstr(problem, "cannot start any token")) {
         const unsigned point = case_text_at(b->text, b->length, (int)p->problem_mark.line + 1,
                                             (int)p->problem_mark.column + 1);
@@ -61,7 +97,7 @@ static status syntax_error(const builder *b)
     }
     if (p->context && b->override < 0 && p->context_mark.line != p->problem_mark.line) {
         return config_fail(b->cfg, at, "not valid YAML: %s (%s that begins on line %d)", problem,
-                           p->context, (int)p->context_mark.line + 1);
+                           plain_words(p->context), (int)p->context_mark.line + 1);
     }
     return config_fail(b->cfg, at, "not valid YAML: %s", problem);
 }

@@ -33,7 +33,10 @@ static status check_table(const tendon_case *t)
 {
     const tendon_table *table = &t->spec.table;
     if (table->count < 2) {
-        return table_fails(t, table->count, "is missing: it takes two or more");
+        const mark at = mark_given(t->path.at) ? t->path.at : t->path_csv.at;
+        return status_fail_at(ERR_INPUT, at.line, at.column,
+                              "a tendon's path takes two or more rows of s, x, y, this one has %d",
+                              table->count);
     }
     for (int i = 0; i < table->count; i++) {
         const double *row = table->point + 3 * (size_t)i;
@@ -176,7 +179,8 @@ static status bind_sweep(const rod_case *c, sweep_case *w, mark *where)
         const bool both = !isnan(w->from[k]) && !isnan(w->to[k]);
         const bool none = isnan(w->from[k]) && isnan(w->to[k]);
         if (k == w->kind ? !both : !none) {
-            return status_fail(ERR_INPUT, "this sweep goes between %s", ends[w->kind]);
+            return status_fail(ERR_INPUT, "this sweep goes between %s: give both, and no others",
+                               ends[w->kind]);
         }
     }
     return find_target(c, w);
@@ -202,13 +206,14 @@ done:
 
 // --- rows
 
-static status check_columns(const key_rows *rows, int wanted, const char *what, mark *where)
+static status check_columns(const key_rows *rows, int wanted, const char *what, const char *each,
+                            mark *where)
 {
     *where = rows->at;
     return rows->nrow == 0 || rows->ncol == wanted
                ? OK
-               : status_fail(ERR_INPUT, "a row of %s has %d numbers for %d", what, rows->ncol,
-                             wanted);
+               : status_fail(ERR_INPUT, "a row of %s has %d number%s for %d %s%s", what, rows->ncol,
+                             rows->ncol == 1 ? "" : "s", wanted, each, wanted == 1 ? "" : "s");
 }
 
 static status check_counts(const rod_case *c, mark *where)
@@ -296,9 +301,9 @@ static status check_push(const rod_case *c, mark *where)
 static status check_rows(const rod_case *c, mark *where)
 {
     status st = OK;
-    TRY(check_columns(&c->tensions, c->tendons.count, "tensions", where));
-    TRY(check_columns(&c->pulls, c->tendons.count, "pulled lengths", where));
-    TRY(check_columns(&c->factors, rod_case_loads(c), "load factors", where));
+    TRY(check_columns(&c->tensions, c->tendons.count, "tensions", "tendon", where));
+    TRY(check_columns(&c->pulls, c->tendons.count, "pulled lengths", "tendon", where));
+    TRY(check_columns(&c->factors, rod_case_loads(c), "load factors", "load", where));
     TRY(check_counts(c, where));
     TRY(check_push(c, where));
     TRY(check_either(c, where));

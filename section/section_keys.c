@@ -190,7 +190,7 @@ static status bind_shapes(section_case *c, const key_list *materials, mark *wher
         const char *name = shapes[i].material.text;
         *where = name ? shapes[i].material.at : shapes[i].at;
         if (!name && !mark_given(shapes[i].lumens.at)) {
-            return status_fail(ERR_INPUT, "key 'material' is missing in shape");
+            return status_fail(ERR_INPUT, "key 'material' is missing in this entry of 'shapes'");
         }
         name = name ? name : "none";
         const bool cuts = strcmp(name, "none") == 0;

@@ -137,7 +137,7 @@ wrong 's/- rod.length_mm=tip/- reach.scopes.soft.radius_mm=tip/' 'is of the sear
 wrong 's/    parameters:/    maximise: area\n    parameters:/' 'give map'
 wrong 's/^  design:/  nothing:/' "unknown key 'nothing'"
 expect 2 "$program" design "$source/cases/fig4.yaml"
-err "the case has no 'reach'"
+err "the case has no 'reach.design'"
 # another case's log is not touched
 sed 's/E_MPa: 1,/E_MPa: 2,/' "$work/toy.yaml" >"$work/other.yaml"
 cp "$work/one.design-log" "$work/other.design-log"

@@ -12,7 +12,7 @@ expect 2 "$program" section "$source/cases/multilumen.yaml" --set section.shapes
 err 'shape 2 (rounded_rectangle, copy 2): a part of it does not touch the rest of the section'
 sed 's/, material: body}/}/' "$source/cases/multilumen.yaml" >"$work/bare.yaml"
 expect 2 "$program" check "$work/bare.yaml"
-err "bare.yaml:14:7: error: key 'material' is missing in shape"
+err "bare.yaml:14:7: error: key 'material' is missing in this entry of 'shapes'"
 
 # pairs of a DXF file, one word a line
 dxf() {

@@ -116,7 +116,7 @@ static void mistakes_have_their_place(const char *dir)
         {"  tendons: [{x_mm: 3}]\n  pulls_mm: [[1]]\n  tensions_N: [[1]]\n",
          ":7:13: error: row 1 gives tension and pulled length"},
         {"  tendons: [{x_mm: 3}]\n  tensions_N: [[-1]]\n", ":7:17: error: 'tensions_N': -1 N"},
-        {"  load_factors: [[1]]\n", ":6:17: error: a row of load factors has 1 numbers for 0"},
+        {"  load_factors: [[1]]\n", ":6:17: error: a row of load factors has 1 number for 0 loads"},
         {"  sweep: [{load: gravity, from: 0, to: 1, steps: 2}]\n",
          ":6:18: error: no load is called 'gravity'"},
         {"  tendons: [{name: a}]\n  sweep: [{tension_of: a, from_mm: 0, to_mm: 1, steps: 2}]\n",

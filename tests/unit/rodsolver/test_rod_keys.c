@@ -155,7 +155,7 @@ static void rows_are_held_against_tendons_and_loads(void)
     small_rod r;
     make(&r);
     r.c.tensions.ncol = 1;
-    fails_at(&r, 12, "1 numbers for 2");
+    fails_at(&r, 12, "1 number for 2 tendons");
     make(&r);
     r.tension[3] = -0.1;
     fails_at(&r, 12, "cannot push");
