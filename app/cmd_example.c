@@ -18,7 +18,9 @@ static void example_title(const example *e, char *title, size_t size)
 {
     const char *line = strstr(e->text, "\ntitle: ");
     line = line ? line + strlen("\ntitle: ") : "";
-    (void)snprintf(title, size, "%.*s", (int)strcspn(line, "\n"), line);
+    const bool quoted = *line == '"';
+    (void)snprintf(title, size, "%.*s", (int)strcspn(line + quoted, quoted ? "\"\n" : "\n"),
+                   line + quoted);
 }
 
 static int count_files(const example *e)
@@ -28,6 +30,16 @@ static int count_files(const example *e)
         n++;
     }
     return n;
+}
+
+static void write_row(const example *e, const char *title, FILE *stream)
+{
+    const int n = count_files(e);
+    fprintf(stream, "%-24s %s", e->name, title);
+    if (n > 0) {
+        fprintf(stream, " (reads %d file%s: --out DIR)", n, n == 1 ? "" : "s");
+    }
+    (void)fputc('\n', stream);
 }
 
 static status list_examples(const command *cmd, FILE *stream)
@@ -50,7 +62,7 @@ static status list_examples(const command *cmd, FILE *stream)
             json_integer(j, "files", count_files(e));
             json_object_end(j);
         } else {
-            fprintf(stream, "%-24s %s\n", e->name, title);
+            write_row(e, title, stream);
         }
     }
     if (cmd->json) {
@@ -234,6 +246,11 @@ static status one_example(command *cmd)
     const document *d = cmd->json ? &w.shown : &w.text;
     cmd->answered = true;
     (void)fwrite(d->text, 1, d->length, stdout);
+    if (!cmd->out && w.example->files) {
+        command_hint(cmd,
+                     "it reads files beside it: stiffaxis example %s --out DIR writes all of it",
+                     w.example->name);
+    }
     if (cmd->out) {
         char more[40] = "";
         const int n = count_files(w.example);

@@ -1,6 +1,7 @@
 #include "app/explain.h"
 
 #include "base/memory.h"
+#include "io/utf8.h"
 
 #include <math.h>
 #include <stdarg.h>
@@ -32,6 +33,7 @@ void explain(explanation *e, const char *about, const char *format, ...)
     va_start(args, format);
     (void)vsnprintf(text, sizeof text, format, args);
     va_end(args);
+    utf8_make_plain(text); // names come from files
     if (e->j) {
         json_object(e->j, NULL);
         json_text(e->j, "about", about);

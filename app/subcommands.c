@@ -81,8 +81,11 @@ static const subcommand list[] = {
      "centreline.csv,\n"
      "which a case's `measured` reads, scan.json, a picture, a line for ParaView.\n",
      "stiffaxis scan helix.ply --set scan.radius_mm=4 --out results/helix"},
-    {"check", "CASE", cmd_check, "reads and validates only",
-     "Every mistake in a case is one line FILE:LINE:COL: error: ..., and exit code 2.\n",
+    {"check", "CASE", cmd_check, "what the case is understood to be, and whether it is sound",
+     "Says what was understood: materials, section and areas, model, tendons' paths, the 3D mesh\n"
+     "with what it costs, what `run` would do, files, defaults. Nothing is solved. Every mistake "
+     "in\n"
+     "a case is one line FILE:LINE:COL: error: ..., and exit code 2.\n",
      "stiffaxis check fig4.yaml"},
     {"schema", NULL, cmd_schema, "the key reference as JSON Schema",
      "For editors that check YAML while one types; --markdown prints it for people.\n",

@@ -3,6 +3,7 @@
 
 #include "app/chain.h"
 #include "app/segment_source.h"
+#include "io/utf8.h"
 
 #include <math.h>
 #include <stdarg.h>
@@ -34,6 +35,7 @@ void warn_at(const command *cmd, const case_data *c, mark at, const char *format
     va_start(args, format);
     (void)vsnprintf(words, sizeof words, format, args);
     va_end(args);
+    utf8_make_plain(words);
     fprintf(stderr, "%swarning: %s\n", where, words);
     if (cmd->warnings) {
         fprintf(cmd->warnings, "%swarning: %s\n", where, words);

@@ -23,26 +23,6 @@ short_text shortened(const char *text)
     return out;
 }
 
-// '?' for what would break the line or play with the terminal, and for a character that was cut in
-// two
-static void make_plain(char *text)
-{
-    char *to = text;
-    for (size_t left = strlen(text); left > 0;) {
-        uint32_t point = 0;
-        const int n = utf8_read(text, left, &point);
-        if (n > 0 && utf8_is_plain(point)) {
-            memmove(to, text, (size_t)n);
-            to += n;
-        } else {
-            *to++ = '?';
-        }
-        text += n ? n : 1;
-        left -= (size_t)(n ? n : 1);
-    }
-    *to = '\0';
-}
-
 // the end of a long path says more than its beginning
 static void path_words(const config *cfg, char *words, size_t size)
 {
@@ -53,7 +33,7 @@ static void path_words(const config *cfg, char *words, size_t size)
     } else {
         (void)snprintf(words, size, "...%s", path + length - (size - 4));
     }
-    make_plain(words);
+    utf8_make_plain(words);
 }
 
 void config_place_text(const config *cfg, mark at, char text[CONFIG_PLACE_TEXT])
@@ -62,7 +42,7 @@ void config_place_text(const config *cfg, mark at, char text[CONFIG_PLACE_TEXT])
     const int i = at.line - OVERRIDE_LINE;
     if (i >= 0 && i < cfg->noverride) {
         (void)snprintf(where, OVERRIDE_SHOWN, "%s", cfg->overrides[i]);
-        make_plain(where);
+        utf8_make_plain(where);
         (void)snprintf(text, CONFIG_PLACE_TEXT, "--set '%s': ", where);
         return;
     }
@@ -78,7 +58,7 @@ status config_fail(const config *cfg, mark at, const char *format, ...)
     va_start(args, format);
     (void)vsnprintf(words, sizeof words, format, args);
     va_end(args);
-    make_plain(words);
+    utf8_make_plain(words);
     config_place_text(cfg, at, where);
     return status_fail(ERR_INPUT, "%serror: %s", where, words);
 }

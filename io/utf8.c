@@ -1,6 +1,8 @@
 // io/utf8.c
 #include "io/utf8.h"
 
+#include <string.h>
+
 int utf8_read(const char *text, size_t length, uint32_t *point)
 {
     const unsigned char *c = (const unsigned char *)text;
@@ -47,4 +49,22 @@ int utf8_is_plain(uint32_t point)
                           (point >= 0x202A && point <= 0x202E) ||
                           (point >= 0x2066 && point <= 0x2069);
     return !control && !separator && !direction;
+}
+
+void utf8_make_plain(char *text)
+{
+    char *to = text;
+    for (size_t left = strlen(text); left > 0;) {
+        uint32_t point = 0;
+        const int n = utf8_read(text, left, &point);
+        if (n > 0 && utf8_is_plain(point)) {
+            memmove(to, text, (size_t)n);
+            to += n;
+        } else {
+            *to++ = '?';
+        }
+        text += n ? n : 1;
+        left -= (size_t)(n ? n : 1);
+    }
+    *to = '\0';
 }

@@ -15,3 +15,7 @@ size_t utf8_count(const char *text);
 // Whether a code point may stand in one line of a terminal: no control, no line or paragraph
 // separator, no mark that changes the direction of writing.
 int utf8_is_plain(uint32_t point);
+
+// In place: '?' for what would break the line or play with the terminal, and for a character that
+// was cut in two.
+void utf8_make_plain(char *text);

@@ -44,4 +44,9 @@ out 'classical: integrals of E and G in closed form, Eq. 11 and 12; at stations 
 expect 0 "$program" check "$cases/fig4.yaml" --set fem.length_mm=2 --json
 err 'warning: the segment is 0.5 radii long'
 out "warning: the segment is 0.5 radii long"
+
+# names from a file are text, and play with no terminal
+sed 's/name: geometric centre/name: "a\\e[31mb"/' "$cases/fig4.yaml" >"$work/escape.yaml"
+expect 0 "$program" check "$work/escape.yaml"
+out "'a?[31mb'"
 finish
