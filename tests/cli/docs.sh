@@ -1,6 +1,6 @@
 #!/bin/sh
 # The pages say what is so: every command that they show is run, outputs are compared, cases checked, links followed. The rules
-# stand in tests/docs/docs.py; what follows first is pages with one mistake each. Outputs are written anew by
+# stand in tests/docs/docs.py. Outputs are written anew by
 #   STIFFAXIS=build/release/bin/stiffaxis STIFFAXIS_SOURCE=$PWD sh tests/cli/docs.sh --update [PAGE...]
 set -u
 . "$STIFFAXIS_SOURCE/tests/cli/helpers"
@@ -17,85 +17,52 @@ update=
     shift
 }
 
-# --- the runner fails where it should: page NAME, read from stdin, in a small repository
+# --- the runner fails where it should: a small repository with a page that is right, and one with a mistake in every block
 
 small=$work/small
-mkdir -p "$small/cases" "$small/tests" "$small/docs"
+mkdir -p "$small/cases" "$small/tests" "$small/docs" "$work/scratch" "$work/scratch_good" "$work/scratch_bad" "$work/scratch_update"
 cp "$source/cases/fig4.yaml" "$small/cases"
+cp -r "$source/run" "$source/bench" "$small"
+cp "$source/tests/docs/good.md" "$source/tests/docs/bad.md" "$small/docs"
 echo 'stiffaxis fem cases/fig4.yaml' >"$small/tests/other.sh"
-
-# mistake CODE WORDS: the page from stdin ends so
-mistake() {
-    cat >"$small/docs/page.md"
-    rm -rf "$work/scratch_small" && mkdir "$work/scratch_small"
-    expect "$1" python3 "$runner" "$small" "$program" "$work/scratch_small" docs/page.md
-    out "$2"
-}
-
-good() {
-    sed -n '/^#GOOD/,/^#END/{/^#[A-Z]/!p}' "$0"
-}
-: <<'#END'
-#GOOD
-# A page
-
-[itself](page.md#a-page), [far](https://example.org/x), cases/fig4.yaml
-
-```sh
-stiffaxis section cases/fig4.yaml     # with a comment
-```
-
-```text
-section: full (warping), 1 station, 1 section solved
-...
-    0.000     29.213  -2.1233   0.0000  180.000     81.235     170.34         65  -0.5565   0.0000  ...
-...
-shear stiffness there: 2.13825 N along x'', 2.86797 N along y'', x'' turned by 180.000 deg
-```
-
-<!-- exit 2 -->
-```console
-$ stiffaxis section none.yaml
-...
-```
-
-<!-- run by tests/other.sh: fem cases/fig4.yaml -->
-```sh
-stiffaxis fem cases/fig4.yaml
-```
-
-<!-- in cases/fig4.yaml -->
-```yaml
-fem:
-  length_mm: 30
-```
-#END
-good | mistake 0 '1 elsewhere'
-good | sed 's/29.213 /29.215 /' | mistake 1 'docs/page.md:9: stiffaxis section'
-good | sed 's/1 station,/2 station,/' | mistake 1 'but: section: full (warping), 1 station, 1 section solved'
-good | sed 's/along y/across y/' | mistake 1 'not said: shear stiffness there'
-good | sed '$!N; /^\.\.\.\nshear/d; P; D' | mistake 1 'not said'
-good | sed 's/exit 2/exit 3/' | mistake 1 'exit code 2, not 3'
-good | sed 's/page.md#a-page/page.md#another/' | mistake 1 'dead link: page.md#another: no such heading'
-good | sed 's/(page.md#a-page/(pages.md/' | mistake 1 'dead link: pages.md'
-good | sed 's,https://example,https:/example,' | mistake 1 'is no link'
-good | sed 's,^\(.itself.*\)cases/fig4,\1cases/fig5,' | mistake 1 'cases/fig5.yaml is named and not there'
-good | sed 's/run by tests.*-->/not run: -->/' | mistake 1 'not run, and no reason why'
-good | sed 's/run by tests.*-->/not run: a reason -->/' | mistake 0 'not run: a reason'
-good | sed 's/other.sh: fem/others.sh: fem/' | mistake 1 'tests/others.sh is to run this and is not there'
-good | sed 's/other.sh: fem/other.sh: rod/' | mistake 1 'does not hold "rod cases/fig4.yaml"'
-good | sed 's/length_mm: 30/lenght_mm: 30/' | mistake 1 "did you mean 'length_mm'"
-good | sed '/in cases.fig4/d' | mistake 1 'part of a case: which one?'
-good | sed 's/^```yaml/```/; /in cases.fig4/d' | mistake 1 'neither output nor run'
-good | sed 's/section cases/sections cases/' | mistake 1 'exit code 2, not 0'
-# --update mends numbers, keeps what was left out, and does not take other words for a number
-good | sed 's/29.213 /29.315 /; s/65  -0/66  -0/' >"$small/docs/page.md"
-rm -rf "$work/scratch_small" && mkdir "$work/scratch_small"
-expect 0 python3 "$runner" --update "$small" "$program" "$work/scratch_small" docs/page.md
-good >"$work/good.md"
-[ "$(diff "$work/good.md" "$small/docs/page.md" | grep -c '^>')" = 1 ] || fail "--update: $(diff "$work/good.md" "$small/docs/page.md")"
-cp "$small/docs/page.md" "$work/renewed.md"
-mistake 0 '2 outputs' <"$work/renewed.md"
+expect 0 python3 "$runner" "$small" "$program" "$work/scratch_good" docs/good.md
+out '2 commands, 0 again, 1 elsewhere, 0 short, 2 outputs, 0 cases, 1 parts, 0 python, 1 not run'
+out 'docs/good.md:29: not run: a reason'
+expect 1 python3 "$runner" "$small" "$program" "$work/scratch_bad" docs/bad.md
+while read -r words; do
+    out "$words"
+done <<'END_OF_WORDS'
+docs/bad.md:3: dead link: bad.md#another: no such heading
+docs/bad.md:3: dead link: pages.md
+docs/bad.md:3: https:/example.org is no link
+docs/bad.md:3: cases/fig5.yaml is named and not there
+docs/bad.md:4: exit code 2, not 0: stiffaxis sections --help
+docs/bad.md:4: exit code 2, not 0: stiffaxis section cases/fig4.yaml --set fem.length=3
+docs/bad.md:4: ./run knows no benches
+docs/bad.md:4: ./run bench knows no colours
+not said: 0.000     29.215
+but: 0.000     29.213
+not said: 0.000     29.213  -2.1233   0.0000  180.000     81.236     170.34         66
+not said: shear stiffness there: 2.13825 N along x'', 2.86797 N across y''
+not said: (the end; said next:
+docs/bad.md:18: exit code 2, not 3
+docs/bad.md:22: exit code 2, not 0
+docs/bad.md:26: changes the machine
+docs/bad.md:31: tests/others.sh is to run this and is not there
+docs/bad.md:36: tests/other.sh is to run this and does not hold "rod cases/fig4.yaml"
+docs/bad.md:41: not run, and no reason why
+did you mean 'length_mm'
+docs/bad.md:51: part of a case: which one?
+docs/bad.md:56: a block of no language: neither output nor run
+docs/bad.md:61: cases/fig4.yaml
+docs/bad.md:67: results/none.svg was not made
+END_OF_WORDS
+[ "$(grep -c '^docs/bad.md:[0-9]*: ' "$work/out")" = 24 ] || fail 'another number of mistakes'
+# --update mends outputs, keeps what was left out and changes nothing else
+sed -i 's/29.213 /29.315 /; s/65  -0/66  -0/' "$small/docs/good.md"
+expect 0 python3 "$runner" --update "$small" "$program" "$work/scratch_update" docs/good.md
+sed 's/81.235/81.236/' "$source/tests/docs/good.md" | cmp -s - "$small/docs/good.md" ||
+    fail "--update: $(diff "$source/tests/docs/good.md" "$small/docs/good.md")"
 
 # --- the pages
 
@@ -106,7 +73,6 @@ for page in "$@"; do
     case " $pages " in *" $page "*) continue ;; esac
     [ ! -f "$page" ] || pages="$pages $page"
 done
-mkdir "$work/scratch"
 # shellcheck disable=SC2086
 python3 "$runner" ${update:+"$update"} ${STIFFAXIS_TIMES:+--times} "$source" "$program" "$work/scratch" $pages || failures=1
 finish

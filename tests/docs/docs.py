@@ -30,35 +30,16 @@ import sys
 
 import cases
 import compare
-from pages import FENCE, Page
+from pages import Block, Page, commands, rewrite
 
 SHELLS = ('sh', 'console', 'bash')
 CHANGES = re.compile(r'^\s*(?:\w+=\S* +)*(?:sudo |\./run |apt-get |pip install|docker |dpkg-|cmake |ctest )', re.M)  # the machine, or the tree
-HEREDOC = re.compile(r"<<-?\s*['\"]?(\w+)['\"]?")
+ALONE = ('schema', 'example', 'doctor', 'man', 'completion')  # commands that need no file
 
 
 def cpu():
     used = resource.getrusage(resource.RUSAGE_CHILDREN)
     return used.ru_utime + used.ru_stime
-
-
-def commands(lines):
-    """[(command, lines of output shown right below)] of an sh or console block"""
-    found, until, more = [], None, False
-    prompt = any(line.startswith('$ ') for line in lines)
-    for line in lines:
-        if until or more:
-            found[-1][0] += '\n' + line
-            until = None if until == line.strip() else until
-        elif prompt and not line.startswith('$ '):
-            found[-1][1].append(line)
-            continue
-        elif line.strip() and not line.lstrip().startswith('#'):
-            found.append([line[2:] if prompt else line, []])
-            here = HEREDOC.search(line)
-            until = here[1] if here else None
-        more = not until and line.endswith('\\')
-    return found
 
 
 class Run:
@@ -245,6 +226,31 @@ class Run:
             return self.fail(page, block.line, f'{name} is not there')
         self.compare(page, block, block.lines, said, name)
 
+    # --- commands in the middle of a sentence: run where they are whole, else the command is there, as are benchmarks
+
+    def sentence(self, page, line, command):
+        words = command.split(' | ')[0].split()
+        if words[0] == './run':
+            return self.front_door(page, line, words[1:])
+        if len(words) == 1:
+            return None
+        whole = words[1] in ALONE or any(os.path.isfile(os.path.join(self.scratch, word)) for word in words[2:])
+        if not whole or any(re.match(r'[A-Z]{3}', word) for word in words):
+            words = [words[0], words[1], '--help']
+        return self.one(page, Block('', line, ''), ' '.join(words), 0)
+
+    def front_door(self, page, line, words):
+        with open(os.path.join(self.root, 'run'), encoding='utf-8') as file:
+            known = re.findall(r'[a-z]+', ' '.join(re.findall(r'^([a-z| -]+)\)', file.read(), re.M)))
+        with open(os.path.join(self.root, 'bench', 'bench.sh'), encoding='utf-8') as file:
+            benchmarks = re.findall(r'^    echo (\w+)$', file.read(), re.M)
+        for name in words[:1]:
+            if name not in known:
+                self.fail(page, line, f'./run knows no {name}')
+        for name in words[1:] if words[:1] == ['bench'] else []:
+            if name not in benchmarks and not os.path.isfile(os.path.join(self.root, 'bench', f'bench_{name}.c')):
+                self.fail(page, line, f'./run bench knows no {name}')
+
     # --- pages
 
     def block(self, page, block):
@@ -288,25 +294,11 @@ class Run:
                 before.shown = block
         waiting = [self.block(page, block) for block in page.blocks]
         self.python(page, [block for block in waiting if block])
+        for line, command in page.inline():
+            self.sentence(page, line, command)
         self.wrong += page.dead(self.counts)
         if page.edits:
             rewrite(page)
-
-
-def rewrite(page):
-    lines = list(page.lines)
-    for block, command, wanted, new in sorted(page.edits, key=lambda edit: -edit[0].line):
-        start = block.line
-        end = next(k for k in range(start, len(lines)) if FENCE.match(lines[k]))
-        if block.language == 'console':  # the lines below one of its prompts
-            words = ('$ ' + command).split('\n')
-            start = len(words) + next(k for k in range(start, end) if lines[k:k + len(words)] == words
-                                      and lines[k + len(words):k + len(words) + len(wanted)] == wanted)
-            end = start + len(wanted)
-        lines[start:end] = new
-    with open(page.path, 'w', encoding='utf-8') as file:
-        file.write('\n'.join(lines))
-    print(f'{page.name}: {len(page.edits)} outputs renewed')
 
 
 def python_with(module, memory={}):

@@ -10,6 +10,7 @@ HTTP = re.compile(r'^https?://[\w.-]+\.[a-z]{2,}(?::\d+)?(?:/[^\s<>"]*)?$')
 NAMED = re.compile(r'(?<![\w/.-])((?:docs|cases|examples|tests|bench|cmake|python|api|rodsolver|base)/'
                    r'[\w./-]*\w\.(?:md|yaml|py|sh|c|h|awk|png))\b')
 PROGRAM = re.compile(r'`((?:verify|test|bench)_\w+)`')
+HEREDOC = re.compile(r"<<-?\s*['\"]?(\w+)['\"]?")
 MADE = {'docs/keys.md'}  # by the program, where it is installed
 
 
@@ -71,6 +72,12 @@ class Page:
                 seen[slug] = seen.get(slug, -1) + 1
                 yield slug if seen[slug] == 0 else f'{slug}-{seen[slug]}'
 
+    def inline(self):
+        """(line, command) of what prose names in backquotes: `stiffaxis ...`, `./run ...`"""
+        for number, line in self.prose:
+            for code in re.findall(r'`((?:stiffaxis|\./run)(?: [^`]*)?)`', line):
+                yield number, code.replace('\\|', '|')
+
     def dead(self, counts):
         """lines on links that lead nowhere and files that are not there"""
         for number, line in self.prose:
@@ -103,3 +110,38 @@ def walk(root, memory={}):
     if root not in memory:
         memory[root] = [step for folder in ('tests', 'bench') for step in os.walk(os.path.join(root, folder))]
     return memory[root]
+
+
+def commands(lines):
+    """[(command, lines of output shown right below)] of an sh or console block"""
+    found, until, more = [], None, False
+    prompt = any(line.startswith('$ ') for line in lines)
+    for line in lines:
+        if until or more:
+            found[-1][0] += '\n' + line
+            until = None if until == line.strip() else until
+        elif prompt and not line.startswith('$ '):
+            found[-1][1].append(line)
+            continue
+        elif line.strip() and not line.lstrip().startswith('#'):
+            found.append([line[2:] if prompt else line, []])
+            here = HEREDOC.search(line)
+            until = here[1] if here else None
+        more = not until and line.endswith('\\')
+    return found
+
+
+def rewrite(page):
+    lines = list(page.lines)
+    for block, command, wanted, new in sorted(page.edits, key=lambda edit: -edit[0].line):
+        start = block.line
+        end = next(k for k in range(start, len(lines)) if FENCE.match(lines[k]))
+        if block.language == 'console':  # the lines below one of its prompts
+            words = ('$ ' + command).split('\n')
+            start = len(words) + next(k for k in range(start, end) if lines[k:k + len(words)] == words
+                                      and lines[k + len(words):k + len(words) + len(wanted)] == wanted)
+            end = start + len(wanted)
+        lines[start:end] = new
+    with open(page.path, 'w', encoding='utf-8') as file:
+        file.write('\n'.join(lines))
+    print(f'{page.name}: {len(page.edits)} outputs renewed')
