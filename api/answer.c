@@ -45,12 +45,12 @@ done:
     return (int)st;
 }
 
-int stiffaxis_along(const stiffaxis_state *state, int n, const double *s, double *strain,
-                    double *wrench, double *tension)
+// tendons' paths and rest shapes may be expressions, which are one thread's at a time
+static status tell_along(const stiffaxis_state *state, int n, const double *s, double *strain,
+                         double *wrench, double *tension)
 {
     status st = OK;
     const size_t ntendon = (size_t)stiffaxis_rod_tendons(state->rod);
-    status_clear();
     TRY(check_places(state, n, s));
     for (int i = 0; i < n; i++) {
         const double at = place(state, n, s, i);
@@ -69,6 +69,16 @@ int stiffaxis_along(const stiffaxis_state *state, int n, const double *s, double
     }
 
 done:
+    return st;
+}
+
+int stiffaxis_along(const stiffaxis_state *state, int n, const double *s, double *strain,
+                    double *wrench, double *tension)
+{
+    status_clear();
+    turn_begin();
+    const status st = tell_along(state, n, s, strain, wrench, tension);
+    turn_end();
     return (int)st;
 }
 

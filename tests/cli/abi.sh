@@ -70,6 +70,13 @@ for change in 's/int isotropic;/int isotropic, more;/' 's/double shear_centre.2.
 done
 sed 1,2d "$work/shown" | diff -q "$work/listed" - >/dev/null && fail 'a name that went away is not seen'
 
+# C++ and strict C may include it
+for language in c++ c; do
+    command -v c++ >/dev/null || continue
+    echo '#include <stiffaxis/stiffaxis.h>' | c++ -x "$language" -Wall -Wextra -Wpedantic -Werror -fsyntax-only -I "$ninja_dir/include_api" - ||
+        fail "$language cannot include stiffaxis.h"
+done
+
 for heavy in mpi gmsh hdf5 petsc cairo; do
     if ldd "$build/libstiffaxis.so" | grep -q "lib$heavy"; then fail "libstiffaxis.so needs $heavy"; fi
 done

@@ -31,6 +31,25 @@ for _ in range(5):
     thread.join()
     assert outcomes == [False]
 
+# --- strains and wrenches of a rod whose tendon is an expression, by threads that share it
+helix = stiffaxis.Case(path, {**classical, "rod.tendons.t1.angle_rad": "pi*s/L"}).rod()
+places, seen = np.linspace(0, 0.12, 150), {}
+
+
+def feel(tension, rounds):
+    for _ in range(rounds):
+        helix.solve([tension, 0], cold=True)
+        told = helix.along(places)
+        seen.setdefault(tension, []).append((told.strain, told.wrench))
+
+
+for tension in 0.1, 0.2, 0.3, 0.4:
+    feel(tension, 1)
+threads = [threading.Thread(target=feel, args=(tension, 30)) for tension in seen]
+[t.start() for t in threads], [t.join() for t in threads]
+for alone, *together in seen.values():
+    assert all(np.array_equal(alone, told) for told in together)
+
 # --- children go on with what they find, in the midst of what other threads do
 stop = threading.Event()
 
