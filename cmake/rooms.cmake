@@ -123,8 +123,8 @@ function(tests)
     endforeach()
     file(GLOB scripts CONFIGURE_DEPENDS tests/cli/*.sh tests/cross/*.sh tests/*.sh)
     # long, and of the same code as the others: once is enough
-    set(numbers blade bodies cases check_format check_layers check_theory design docs failures fit h5py install json mpirun
-        mpirun_design mpirun_ways numbers out package_files published ranks rods run_cases scan_to_fit segment_compare
+    set(numbers blade bodies cases check_format check_layers check_theory design docs failures fit gallery h5py install json
+        mpirun mpirun_design mpirun_ways numbers out package_files published ranks rods run_cases scan_to_fit segment_compare
         segment_loads sensitivity verification view voxel vtkhdf)
     foreach(file ${scripts})
         get_filename_component(name ${file} NAME_WE)

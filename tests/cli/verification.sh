@@ -2,12 +2,13 @@
 # The verification page in small, ./run verification: two quick tests, and one with a wrong number, which must show.
 set -u
 . "$STIFFAXIS_SOURCE/tests/cli/helpers"
+export PYTHONDONTWRITEBYTECODE=1
 
 command -v python3 >/dev/null || {
     echo "verification: no python3 here, so there is no page"
     exit 0
 }
-maker=$source/docs/pages/verification.py
+maker=$source/tests/pages/verification.py
 built=$(dirname "$(dirname "$program")")
 page=$work/page/index.html
 
