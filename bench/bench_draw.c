@@ -127,7 +127,7 @@ static void mark_at(canvas *c, double x, double y, int series)
     if (series < 8) {
         canvas_fill(c, ink);
     } else {
-        canvas_fill_stroke(c, (colour){1, 1, 1, 1}, ink, 1.4);
+        canvas_fill_stroke(c, PAPER, ink, 1.4);
     }
 }
 

@@ -88,7 +88,7 @@ static void scores(canvas *c, const reach_design_result *d)
     if (d->best >= 0 && d->best < d->nrow) {
         const reach_design_row *best = &d->row[d->best];
         canvas_circle(c, plot_x(&p, best->evaluation), plot_y(&p, shown(d, best->score)), 4.5);
-        canvas_fill_stroke(c, INK_ACCENT, (colour){1, 1, 1, 1}, 1.2);
+        canvas_fill_stroke(c, INK_ACCENT, PAPER, 1.2);
     }
     canvas_unclip(c);
 }
@@ -110,7 +110,7 @@ static void bar(canvas *c, const reach_design_result *d, int k)
     canvas_stroke(c, INK_SOFT, 1.6);
     if (best) {
         canvas_circle(c, bars_left + bars_width * (best->value[k] - d->lower[k]) / span, y, 4.5);
-        canvas_fill_stroke(c, INK_ACCENT, (colour){1, 1, 1, 1}, 1.2);
+        canvas_fill_stroke(c, INK_ACCENT, PAPER, 1.2);
     }
     say(c, bars_left, y + 16, LOOK_TICK, "%s", number_short(d->lower[k], 4).text);
     say(c, bars_left + bars_width, y + 16, look_aligned(LOOK_TICK, TEXT_RIGHT), "%s",

@@ -121,7 +121,7 @@ static void pair_panel(canvas *c, const fit_sheet *w, int k)
     plot_frame(c, &p, x, y);
     canvas_clip(c, at.x, at.y, at.w, at.h);
     ellipse(c, &p, value, error, rho, radius);
-    canvas_fill_stroke(c, colour_mix((colour){1, 1, 1, 1}, INK_SECOND, 0.25), INK_SECOND, 1.5);
+    canvas_fill_stroke(c, colour_mix(PAPER, INK_SECOND, 0.25), INK_SECOND, 1.5);
     // each on its own
     for (int d = 0; d < 2; d++) {
         const double half = a->quantile * error[d];

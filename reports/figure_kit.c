@@ -8,13 +8,6 @@
 #include <stdio.h>
 #include <string.h>
 
-const colour INK = {0.13, 0.15, 0.19, 1};
-const colour INK_SOFT = {0.36, 0.40, 0.46, 1};
-const colour INK_FAINT = {0.62, 0.66, 0.71, 1};
-const colour INK_GRID = {0.90, 0.91, 0.93, 1};
-const colour INK_ACCENT = {0.78, 0.22, 0.08, 1};
-const colour INK_SECOND = {0.00, 0.36, 0.62, 1};
-
 #define LOOK(points, weight, red, green, blue)                                                     \
     {                                                                                              \
         .size = (points), .style = (weight), .ink = {(red), (green), (blue), 1 }                   \
@@ -41,43 +34,6 @@ text_look look_haloed(text_look look)
 {
     look.halo = 2.5;
     return look;
-}
-
-colour colour_mix(colour a, colour b, double t)
-{
-    return (colour){a.r + t * (b.r - a.r), a.g + t * (b.g - a.g), a.b + t * (b.b - a.b),
-                    a.a + t * (b.a - a.a)};
-}
-
-// neighbours differ in hue and in lightness, so that grey print keeps them apart
-colour colour_material(int index)
-{
-    static const colour inks[] = {
-        {0.75, 0.86, 0.93, 1}, {0.90, 0.58, 0.20, 1}, {0.35, 0.65, 0.56, 1}, {0.96, 0.89, 0.56, 1},
-        {0.58, 0.47, 0.69, 1}, {0.88, 0.75, 0.80, 1}, {0.40, 0.47, 0.55, 1}, {0.80, 0.84, 0.70, 1},
-    };
-    return inks[(unsigned)index % (sizeof inks / sizeof *inks)];
-}
-
-colour colour_series(int index)
-{
-    static const colour inks[] = {
-        {0.00, 0.36, 0.62, 1}, {0.80, 0.30, 0.04, 1}, {0.00, 0.52, 0.40, 1}, {0.62, 0.32, 0.56, 1},
-        {0.72, 0.52, 0.00, 1}, {0.25, 0.27, 0.32, 1}, {0.25, 0.62, 0.80, 1}, {0.55, 0.20, 0.22, 1},
-    };
-    return inks[(unsigned)index % (sizeof inks / sizeof *inks)];
-}
-
-colour colour_ramp(double t)
-{
-    static const colour knots[] = {
-        {0.20, 0.22, 0.50, 1}, {0.16, 0.37, 0.64, 1}, {0.13, 0.52, 0.66, 1}, {0.20, 0.65, 0.58, 1},
-        {0.49, 0.76, 0.47, 1}, {0.78, 0.84, 0.38, 1}, {0.99, 0.90, 0.42, 1},
-    };
-    const int last = (int)(sizeof knots / sizeof *knots) - 1;
-    const double at = (t > 0 ? (t < 1 ? t : 1) : 0) * last;
-    const int i = at < last ? (int)at : last - 1;
-    return colour_mix(knots[i], knots[i + 1], at - i);
 }
 
 // --- numbers ---

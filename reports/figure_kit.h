@@ -3,6 +3,7 @@
 #pragma once
 
 #include "reports/cairo_door.h"
+#include "reports/palette.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -11,18 +12,11 @@ typedef struct box {
     double x, y, w, h; // [points]
 } box;
 
-extern const colour INK, INK_SOFT, INK_FAINT, INK_GRID, INK_ACCENT, INK_SECOND;
 extern const text_look LOOK_TITLE, LOOK_HEADING, LOOK_TEXT, LOOK_SMALL, LOOK_TICK;
 
 text_look look_aligned(text_look look, text_align align);
 text_look look_inked(text_look look, colour ink);
 text_look look_haloed(text_look look);
-
-colour colour_mix(colour a, colour b, double t); // t = 0: a, t = 1: b
-colour colour_material(
-    int index); // told apart by colour-blind eyes and in grey print, for eight materials
-colour colour_series(int index); // likewise for lines, eight of them
-colour colour_ramp(double t);    // dark blue to yellow over 0..1, lightness rising all the way
 
 // A number with that many significant digits, 1.2×10⁻⁵ where it is very large or small, a true
 // minus sign; zero is 0.

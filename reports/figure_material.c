@@ -87,7 +87,7 @@ static void draw_line(canvas *c, const plot *p, const material_specimen *m, colo
     canvas_stroke(c, ink, 1.2);
     canvas_dash(c, 0, 0);
     canvas_circle(c, plot_x(p, 100 * end), plot_y(p, stress), 3.4);
-    canvas_fill_stroke(c, ink, (colour){1, 1, 1, 1}, 1);
+    canvas_fill_stroke(c, ink, PAPER, 1);
 }
 
 static void draw_legend(canvas *c, const material_result *r, double y)

@@ -144,7 +144,7 @@ static void draw_band(canvas *c, const plot *p, int view, const measured_line *l
             canvas_line(c, x, y);
         }
     }
-    canvas_stroke(c, colour_mix(ink, (colour){1, 1, 1, 1}, 0.65), fmax(4e3 * sigma * scale, 1));
+    canvas_stroke(c, colour_mix(ink, PAPER, 0.65), fmax(4e3 * sigma * scale, 1));
 }
 
 static void draw_line(canvas *c, const views_sheet *s, const plot *p, int view, int i)
@@ -166,7 +166,7 @@ static void draw_line(canvas *c, const views_sheet *s, const plot *p, int view, 
     for (int k = line->npoint - 1; k >= 0; k -= stride) { // the last one is the tip
         const vec3 mm = vec3_scale(1e3, line->p[k]);
         canvas_circle(c, plot_x(p, mm.a[across[view]]), plot_y(p, mm.a[up[view]]), 2.1);
-        canvas_fill_stroke(c, ink, (colour){1, 1, 1, 1}, 0.5);
+        canvas_fill_stroke(c, ink, PAPER, 0.5);
     }
 }
 

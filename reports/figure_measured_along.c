@@ -116,7 +116,7 @@ static void draw_dots(canvas *c, const run_result *r, const plot *p, int kind, i
         const double value = measured_value(line, kind, k);
         if (!isnan(value)) {
             canvas_circle(c, plot_x(p, 1e3 * line->s[k]), plot_y(p, value), 2);
-            canvas_fill_stroke(c, measured_ink(r, i), (colour){1, 1, 1, 1}, 0.5);
+            canvas_fill_stroke(c, measured_ink(r, i), PAPER, 0.5);
         }
     }
 }

@@ -158,7 +158,7 @@ void arrow(canvas *c, double x0, double y0, double x1, double y1, colour ink, do
 void arrow_bordered(canvas *c, double x0, double y0, double x1, double y1, colour ink, double width)
 {
     if (arrow_path(c, x0, y0, x1, y1, width)) {
-        canvas_stroke(c, (colour){1, 1, 1, 1}, 2.4);
+        canvas_stroke(c, PAPER, 2.4);
         arrow(c, x0, y0, x1, y1, ink, width);
     }
 }
@@ -166,6 +166,6 @@ void arrow_bordered(canvas *c, double x0, double y0, double x1, double y1, colou
 void arrow_hollow(canvas *c, double x0, double y0, double x1, double y1, colour ink, double width)
 {
     if (arrow_path(c, x0, y0, x1, y1, width)) {
-        canvas_fill_stroke(c, (colour){1, 1, 1, 1}, ink, 1.1);
+        canvas_fill_stroke(c, PAPER, ink, 1.1);
     }
 }

@@ -5,8 +5,6 @@
 #include "reports/figure_kit.h"
 #include "reports/wall_view.h"
 
-extern const colour REACH_YES, REACH_NO, REACH_OPEN; // reached, not reached, undecided
-
 // from the front (along y), from the side (along -x), from above (along -z)
 enum { REACH_VIEWS = 3, REACH_BODIES = 40 }; // of a scope, in a picture at most
 camera reach_camera(int view);

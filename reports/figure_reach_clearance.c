@@ -30,7 +30,7 @@ typedef struct block {
 
 static colour level_ink(int level)
 {
-    return level == NONE ? INK_GRID
+    return level == NONE ? NOT_LOOKED_AT
            : level == 0  ? INK_ACCENT
                          : colour_ramp((level - 1.0) / (LEVELS - 2));
 }
@@ -157,7 +157,7 @@ static void scope_block(canvas *c, const strips *w, int scope)
     for (int i = 0; i < w->nrow; i++) {
         least_mark(&b, i);
     }
-    canvas_fill_stroke(c, INK, (colour){1, 1, 1, 1}, 0.6);
+    canvas_fill_stroke(c, INK, PAPER, 0.6);
     canvas_unclip(c);
     s_axis(&b);
 }
@@ -178,7 +178,7 @@ static void ramp_key(canvas *c, const strips *w, double x, double y)
     char words[256];
     (void)snprintf(
         words, sizeof words,
-        "mm between skin and tissue; red: %s; grey: outside or channel. At the right: the "
+        "mm between skin and tissue; red: %s; pale: outside or channel. At the right: the "
         "least, mm, at s, mm.",
         least > 0 ? "less than asked for" : "within the tissue");
     (void)say_paragraph(c, left, y, sheet_width - side - left, LOOK_SMALL, words);

@@ -4,11 +4,6 @@
 #include <math.h>
 #include <stdio.h>
 
-// blue, orange and grey stay apart for all eyes, and in grey print by their lightness
-const colour REACH_YES = {0.00, 0.36, 0.62, 1};
-const colour REACH_NO = {0.87, 0.50, 0.10, 1};
-const colour REACH_OPEN = {0.72, 0.72, 0.74, 1};
-
 camera reach_camera(int view)
 {
     static const camera cameras[REACH_VIEWS] = {

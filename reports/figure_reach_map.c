@@ -32,14 +32,9 @@ typedef struct map_sheet {
     double scale, row;
 } map_sheet;
 
-static const colour *state_inks(void)
+static colour state_ink(int state)
 {
-    static const colour ink[STATES] = {
-        [MAP_NOT_REACHED] = {0.93, 0.70, 0.42, 1},
-        [MAP_REACHED] = {0.22, 0.52, 0.74, 1},
-        [MAP_UNDECIDED] = {0.80, 0.80, 0.82, 1},
-    };
-    return ink;
+    return state == MAP_REACHED ? WALL_YES : state == MAP_NOT_REACHED ? WALL_NO : WALL_OPEN;
 }
 
 // --- the wall
@@ -121,10 +116,10 @@ static void draw_half(canvas *c, const map_sheet *w, int scope, int panel, doubl
     const map_half *h = &w->half[panel];
     const double step = w->scale * h->view->step;
     contours_path(c, &h->outline, x, y, step);
-    canvas_fill(c, state_inks()[MAP_UNDECIDED]);
+    canvas_fill(c, state_ink(MAP_UNDECIDED));
     for (int state = 0; state < MAP_UNDECIDED; state++) {
         contours_path(c, state_of(w, scope, panel, state), x, y, step);
-        canvas_fill(c, state_inks()[state]);
+        canvas_fill(c, state_ink(state));
     }
     for (int i = 0; i < LIGHTS; i++) {
         contours_path(c, &h->light[i], x, y, step);
@@ -178,7 +173,7 @@ static status draw(canvas *c, const void *data)
     }
     for (int i = 0; i < STATES; i++) {
         canvas_rectangle(c, x, y - 10, 16, 11);
-        canvas_fill(c, state_inks()[order[i]]);
+        canvas_fill(c, state_ink(order[i]));
         say(c, x + 22, y, LOOK_SMALL, "%s", words[i]);
         x += 46 + canvas_text_width(c, &LOOK_SMALL, words[i]);
     }

@@ -90,7 +90,7 @@ static void draw_bodies(const reach_panel *p)
     for (int i = 0; i < n; i++) {
         collision_path(p, &p->scope->answer[shown[i]]);
     }
-    canvas_fill_stroke(p->c, (colour){1, 1, 1, 1}, INK_ACCENT, 1.3);
+    canvas_fill_stroke(p->c, PAPER, INK_ACCENT, 1.3);
 }
 
 // --- targets
@@ -121,13 +121,12 @@ static void mark_paths(const reach_panel *p, bool reached)
 
 static void draw_marks(const reach_panel *p)
 {
-    const colour white = {1, 1, 1, 1};
     mark_paths(p, false);
-    canvas_stroke(p->c, white, 1.2 * p->mark);
+    canvas_stroke(p->c, PAPER, 1.2 * p->mark);
     mark_paths(p, false);
     canvas_stroke(p->c, INK_ACCENT, 0.6 * p->mark);
     mark_paths(p, true);
-    canvas_fill_stroke(p->c, REACH_YES, white, 1);
+    canvas_fill_stroke(p->c, REACH_YES, PAPER, 1);
 }
 
 typedef struct labels {
@@ -220,7 +219,7 @@ static void entry_line(const reach_panel *p)
         canvas_dash(p->c, 0, 0);
     }
     canvas_circle(p->c, at[0], at[1], 3.4);
-    canvas_fill_stroke(p->c, (colour){1, 1, 1, 1}, INK, 1.3);
+    canvas_fill_stroke(p->c, PAPER, INK, 1.3);
 }
 
 void reach_panel_draw(const reach_panel *p)

@@ -10,7 +10,6 @@ enum { LISTED = 6 };
 
 static const double row = 19;
 static const double point_part = 0.2, line_part = 0.12; // of the scene's size, the longest arrows
-static const colour DEAD = {0.13, 0.15, 0.19, 1}, FOLLOWER = {0.50, 0.13, 0.52, 1};
 
 static pose pose_at(const rod_result *rod, const struct rod_run *run, double s, double length)
 {
@@ -118,7 +117,7 @@ static void paper_arrow(canvas *c, const double a[2], const double b[2], const r
         kind->follower ? arrow_hollow
         : kind->many   ? arrow
                        : arrow_bordered;
-    const colour ink = kind->follower ? FOLLOWER : DEAD;
+    const colour ink = kind->follower ? LOAD_FOLLOWER : INK;
     const double width = kind->many ? 1 : 2.2;
     draw(c, a[0], a[1], b[0], b[1], ink, width);
     if (kind->moment) {
@@ -197,14 +196,14 @@ void rod_gravity_draw(const rod_scene *s, const rod_view *v, box at)
     canvas_stroke(v->c, INK_FAINT, 0.8);
     if (hypot(seen.a[0], seen.a[1]) < 0.1 * half) {
         canvas_circle(v->c, o[0], o[1], 5);
-        canvas_stroke(v->c, DEAD, 1.6);
+        canvas_stroke(v->c, INK, 1.6);
         canvas_circle(v->c, o[0], o[1], seen.a[2] > 0 ? 1.8 : 0.9);
-        canvas_fill(v->c, DEAD);
+        canvas_fill(v->c, INK);
     } else {
-        arrow(v->c, o[0] - seen.a[0], o[1] + seen.a[1], o[0] + seen.a[0], o[1] - seen.a[1], DEAD,
+        arrow(v->c, o[0] - seen.a[0], o[1] + seen.a[1], o[0] + seen.a[0], o[1] - seen.a[1], INK,
               2.6);
     }
-    say(v->c, o[0] + beside, o[1] - 6, look_inked(LOOK_SMALL, DEAD), "g");
+    say(v->c, o[0] + beside, o[1] - 6, look_inked(LOOK_SMALL, INK), "g");
 }
 
 // --- in words

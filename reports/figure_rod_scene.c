@@ -140,14 +140,14 @@ static void curve(const rod_scene *s, const rod_view *v, int solution)
 static void tip_mark(const rod_scene *s, const rod_view *v, int solution)
 {
     const struct rod_run *run = &s->r->rod.run[solution];
-    const colour ink = s->show->ink[solution], white = {1, 1, 1, 1};
+    const colour ink = s->show->ink[solution];
     double at[2];
     rod_view_at(v, mm(run->tip.p), at);
     canvas_circle(v->c, at[0], at[1], s->show->sweep ? 2.8 : 4);
     if (run->fraction < 1) {
-        canvas_fill_stroke(v->c, white, ink, 1.8);
+        canvas_fill_stroke(v->c, PAPER, ink, 1.8);
     } else {
-        canvas_fill_stroke(v->c, ink, white, s->show->sweep ? 0.8 : 1.3);
+        canvas_fill_stroke(v->c, ink, PAPER, s->show->sweep ? 0.8 : 1.3);
     }
 }
 

@@ -166,7 +166,7 @@ static void shadow(const space *v, const rod_result *rod, int solution, bool plu
             canvas_line(c, at[0], at[1]);
         }
     }
-    canvas_stroke(c, (colour){0.72, 0.74, 0.78, 1}, plumb ? 1.2 : 0.6);
+    canvas_stroke(c, SHADOW, plumb ? 1.2 : 0.6);
     if (plumb) {
         rod_view_line(&v->view, vec3_scale(1e3, run->tip.p), on_floor(v, run->tip.p));
         canvas_dash(c, 1, 3);

@@ -11,10 +11,6 @@
 static const double sheet_width = 1000, sheet_height = 720, side = 28, head = 78;
 static const double views_height = 380, view_gap = 26;
 
-static const colour INK_CLOUD = {0.55, 0.60, 0.66, 0.55};
-static const colour INK_TUBE = {0.00, 0.36, 0.62, 0.75};
-static const colour INK_GAP = {0.96, 0.86, 0.80, 1};
-
 // One side: which coordinates go right and up.
 typedef struct scan_view {
     int across, up;
@@ -61,7 +57,7 @@ static void cloud_draw(canvas *c, const scan_result *r, const scan_view *v)
             canvas_rectangle(c, x - 0.6, y - 0.6, 1.2, 1.2);
         }
     }
-    canvas_fill(c, INK_CLOUD);
+    canvas_fill(c, CLOUD_POINT);
 }
 
 static vec3 tangent(const centreline *c, double s, double h)
@@ -92,7 +88,7 @@ static void rim(canvas *c, const scan_result *r, const scan_view *v, double s)
             canvas_line(c, view_x(v, at), view_y(v, at));
         }
     }
-    canvas_stroke(c, INK_TUBE, 0.9);
+    canvas_stroke(c, CLOUD_TUBE, 0.9);
 }
 
 static void line_draw(canvas *c, const scan_result *r, const scan_view *v)
@@ -172,7 +168,7 @@ static void gaps_draw(canvas *c, const scan_result *r, const plot *p)
         const double x0 = plot_x(p, 1e3 * r->tube.gap[i].from);
         const double x1 = plot_x(p, 1e3 * r->tube.gap[i].to);
         canvas_rectangle(c, x0, p->at.y, fmax(x1 - x0, 1), p->at.h);
-        canvas_fill(c, INK_GAP);
+        canvas_fill(c, CLOUD_GAP);
     }
 }
 

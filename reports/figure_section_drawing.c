@@ -116,14 +116,14 @@ void mark_geometric_centre(canvas *c, double x, double y)
         const double r = pass ? 11 : 12;
         canvas_segment(c, x - r, y, x + r, y);
         canvas_segment(c, x, y - r, x, y + r);
-        canvas_stroke(c, pass ? INK : (colour){1, 1, 1, 1}, pass ? 1.7 : 4);
+        canvas_stroke(c, pass ? INK : PAPER, pass ? 1.7 : 4);
     }
 }
 
 void mark_stiffness_centre(canvas *c, double x, double y)
 {
     canvas_circle(c, x, y, 4.4);
-    canvas_fill_stroke(c, INK_ACCENT, (colour){1, 1, 1, 1}, 1.4);
+    canvas_fill_stroke(c, INK_ACCENT, PAPER, 1.4);
 }
 
 void mark_shear_centre(canvas *c, double x, double y)
@@ -135,7 +135,7 @@ void mark_shear_centre(canvas *c, double x, double y)
         canvas_line(c, x + r, y);
         canvas_line(c, x, y + r);
         canvas_close(c);
-        canvas_stroke(c, pass ? INK_SECOND : (colour){1, 1, 1, 1}, pass ? 1.8 : 3);
+        canvas_stroke(c, pass ? INK_SECOND : PAPER, pass ? 1.8 : 3);
     }
 }
 
@@ -144,7 +144,7 @@ void mark_mass_centre(canvas *c, double x, double y)
     const double r = 5;
     for (int pass = 0; pass < 2; pass++) {
         canvas_rectangle(c, x - r, y - r, 2 * r, 2 * r);
-        canvas_stroke(c, pass ? INK_SOFT : (colour){1, 1, 1, 1}, pass ? 1.5 : 3);
+        canvas_stroke(c, pass ? INK_SOFT : PAPER, pass ? 1.5 : 3);
     }
 }
 
@@ -224,11 +224,11 @@ static void centre_path(canvas *c, const section_sketch *s, const view *v)
                 canvas_line(c, x, y);
             }
         }
-        canvas_stroke(c, pass ? INK_ACCENT : (colour){1, 1, 1, 1}, pass ? 2 : 4.5);
+        canvas_stroke(c, pass ? INK_ACCENT : PAPER, pass ? 2 : 4.5);
     }
     const double *end = s->path[s->npath - 1];
     canvas_circle(c, view_x(v, end[1]), view_y(v, end[2]), 3.6);
-    canvas_fill_stroke(c, (colour){1, 1, 1, 1}, INK_ACCENT, 1.6);
+    canvas_fill_stroke(c, PAPER, INK_ACCENT, 1.6);
 }
 
 status section_drawing(canvas *c, const section_sketch *s, box at)

@@ -63,7 +63,7 @@ static status fill_material(canvas *c, const plane_edges *e, int material, const
         canvas_close(c);
     }
     if (loops.nloop > 0) {
-        canvas_fill(c, colour_mix(colour_material(material), (colour){1, 1, 1, 1}, 0.35));
+        canvas_fill(c, colour_mix(colour_material(material), PAPER, 0.35));
     }
 
 done:
@@ -95,7 +95,7 @@ static void draw_layers(canvas *c, const sheet *s, box at)
     const segment_body *b = &s->r->segment.body;
     const double from = b->level[0], length = b->level[b->nlevel - 1] - from;
     canvas_rectangle(c, at.x, at.y, at.w, at.h);
-    canvas_fill_stroke(c, (colour){0.94, 0.945, 0.955, 1}, INK, 1);
+    canvas_fill_stroke(c, FLOOR, INK, 1);
     for (int k = 1; k < b->nlayer; k++) {
         const double y = at.y + at.h * (1 - (b->level[k * b->order] - from) / length);
         canvas_segment(c, at.x, y, at.x + at.w, y);

@@ -104,6 +104,6 @@ colour segment_colour(const segment_scene *s, double value, double light)
     const colour flat = colour_ramp(s->largest > 0 ? value / s->largest : 0);
     // a narrow range of shade keeps the colour readable against its bar
     const double shade = 0.84 + 0.18 * fmax(light, 0);
-    const colour dark = {0, 0, 0, 1}, white = {1, 1, 1, 1};
-    return shade < 1 ? colour_mix(dark, flat, shade) : colour_mix(flat, white, shade - 1);
+    const colour dark = {0, 0, 0, 1};
+    return shade < 1 ? colour_mix(dark, flat, shade) : colour_mix(flat, PAPER, shade - 1);
 }

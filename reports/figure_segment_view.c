@@ -101,7 +101,7 @@ static void ground(const sheet *h)
         }
     }
     canvas_close(h->c);
-    canvas_fill_stroke(h->c, (colour){0.94, 0.945, 0.955, 1}, INK_GRID, 1);
+    canvas_fill_stroke(h->c, FLOOR, INK_GRID, 1);
 }
 
 // along the side from a to d of the facet a, b, ..., d: just inside, where its neighbour does not
@@ -114,7 +114,7 @@ static void paint_border(canvas *c, const double a[2], const double b[2], const 
     const double on[2] = {(d[0] - a[0]) / high, (d[1] - a[1]) / high};
     canvas_segment(c, a[0] + in[0] - on[0], a[1] + in[1] - on[1], d[0] + in[0] + on[0],
                    d[1] + in[1] + on[1]);
-    canvas_stroke(c, (colour){1, 1, 1, 1}, 1.2);
+    canvas_stroke(c, PAPER, 1.2);
 }
 
 // grown a little about its middle, so that no white shows between neighbours
@@ -214,7 +214,7 @@ static void load_arrow(const sheet *h, int load)
             pure ? "%s N mm" : "%s N", number_short(pure ? size * 1e3 : size, 3).text);
     }
     canvas_circle(h->c, at[0], at[1], 2.6);
-    canvas_fill_stroke(h->c, INK_ACCENT, (colour){1, 1, 1, 1}, 1);
+    canvas_fill_stroke(h->c, INK_ACCENT, PAPER, 1);
 }
 
 static void directions(const sheet *h, box at)

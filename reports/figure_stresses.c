@@ -129,7 +129,7 @@ static void colour_bar(canvas *c, const map *p, box at, double unit)
 static void ring(canvas *c, const map *p, const section_extreme *e)
 {
     canvas_circle(c, p->x0 + p->scale * e->at[0], p->y0 - p->scale * e->at[1], 4);
-    canvas_stroke(c, (colour){1, 1, 1, 1}, 3);
+    canvas_stroke(c, PAPER, 3);
     canvas_circle(c, p->x0 + p->scale * e->at[0], p->y0 - p->scale * e->at[1], 4);
     canvas_stroke(c, INK, 1.3);
 }

@@ -85,7 +85,7 @@ static void bar_draw(canvas *c, const plot *p, const mover *q, const move *m, in
     const double x = plot_x(p, sign * size);
     const colour ink = colour_series(q->discrete ? 2 : end == MOVER_LOW ? 0 : 1);
     canvas_rectangle(c, fmin(x, plot_x(p, 0)), y - thick / 2, fabs(x - plot_x(p, 0)), thick);
-    canvas_fill(c, colour_mix(ink, (colour){1, 1, 1, 1}, 0.25));
+    canvas_fill(c, colour_mix(ink, PAPER, 0.25));
     // behind the mark of the derivative, where that goes further
     if (q->discrete) { // words may be long, and the other side is free
         say_within(c, plot_x(p, 0) - 7, y + 4, plot_x(p, 0) - p->at.x - 7,
@@ -106,7 +106,7 @@ static void mark_draw(canvas *c, const plot *p, const mover *q, const move *m, i
         return;
     }
     canvas_circle(c, x, y, 3.2);
-    canvas_fill_stroke(c, (colour){1, 1, 1, 1}, INK, 1.1);
+    canvas_fill_stroke(c, PAPER, INK, 1.1);
 }
 
 static void name_draw(canvas *c, const mover *q, double x, double y)

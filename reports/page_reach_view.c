@@ -40,8 +40,6 @@ static scene_place place_of(int layer, int scope, int target)
 
 // --- the tissue
 
-static const colour tissue_ink = {0.88, 0.80, 0.72, 1};
-
 static status put_map(reach_scene *w, const near_points *near, int scope, unsigned char *kind)
 {
     const reach_scope_result *s = &w->r->scope[scope];
@@ -62,7 +60,7 @@ static status put_tissue(reach_scene *w)
     unsigned char *kind = NULL;
     const coarse_surface *t = &w->tissue;
     TRY(scene_wall(w->s, scene_in(LAYER_TISSUE), t->nvertex, (const double(*)[3])t->vertex,
-                   t->ntriangle, (const int(*)[3])t->triangle, tissue_ink));
+                   t->ntriangle, (const int(*)[3])t->triangle, TISSUE));
     TRY(near_points_make(w->r->nmap, (const double(*)[3])w->r->map_point, &near));
     TRY(TAKE(kind, (size_t)t->nvertex));
     for (int i = 0; i < w->r->nscope; i++) {
@@ -297,7 +295,7 @@ status page_reach_view(bytes *page, const run_result *r)
         TRY(scene_close(
             w.s,
             "Drag to turn, two fingers or shift to move; on the keyboard arrows turn, "
-            "+ and − zoom, 0 begins again. Bodies are coloured by their clearance, grey "
+            "+ and − zoom, 0 begins again. Bodies are coloured by their clearance, pale "
             "where the shaft is not looked at; "
             "the near side of the tissue is made of glass.",
             page));

@@ -183,12 +183,11 @@ static bool varies(const law_along *a)
 
 static void dress(const run_result *r, rod_outline *o)
 {
-    static const colour no_material = {0.62, 0.68, 0.75, 1};
     static const int inks = sizeof o->colour / sizeof *o->colour;
     o->nink = inks;
     o->plain = o->plain || r->nmaterial > inks;
     for (int m = 0; m < inks; m++) {
-        o->colour[m] = o->plain ? no_material : colour_material(m);
+        o->colour[m] = o->plain ? NO_MATERIAL : colour_material(m);
     }
     for (int i = 0; i < o->npoint; i++) {
         o->used[o->ink[i]] = o->ink[i] < r->nmaterial;

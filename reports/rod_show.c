@@ -236,8 +236,8 @@ static colour family_ink(const pull *pulls, int n, int solution)
     if (f.count == 1 && f.size > 1) {
         return colour_ramp(0.8 - 0.8 * part);
     }
-    const colour white = {1, 1, 1, 1}, hue = colour_series(f.number);
-    return colour_mix(white, hue, 0.45 + 0.55 * part);
+    const colour hue = colour_series(f.number);
+    return colour_mix(PAPER, hue, 0.45 + 0.55 * part);
 }
 
 // of a sweep: along its one line, or one for each of its lines

@@ -51,7 +51,7 @@ static void put_head(scene *s, const scene_spec *spec)
         json_real(s->j, "most", spec->value_most);
         scene_put_colours(s, "colours", KNOTS, ramp);
         scene_put_colour(s, "below", INK_ACCENT);
-        scene_put_colour(s, "none", INK_FAINT);
+        scene_put_colour(s, "none", NOT_LOOKED_AT);
         json_object_end(s->j);
     }
     json_flag(s->j, "byValue", spec->by_value);

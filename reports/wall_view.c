@@ -235,12 +235,10 @@ done:
 
 void wall_shade_draw(canvas *c, const wall_shade *s, double x, double y, double step)
 {
-    static const colour palest = {0.955, 0.945, 0.930, 1}, deepest = {0.850, 0.820, 0.780, 1},
-                        rim = {0.62, 0.57, 0.50, 1};
     contours_path(c, &s->outline, x, y, step);
-    canvas_fill_stroke(c, palest, rim, 0.9);
+    canvas_fill_stroke(c, TISSUE_PALE, TISSUE_RIM, 0.9);
     for (int i = 0; i < s->nlevel; i++) {
         contours_path(c, &s->level[i], x, y, step);
-        canvas_fill(c, colour_mix(palest, deepest, (i + 1.0) / s->nlevel));
+        canvas_fill(c, colour_mix(TISSUE_PALE, TISSUE_DEEP, (i + 1.0) / s->nlevel));
     }
 }
