@@ -2,6 +2,7 @@
 // stiffaxis check CASE: reads the case and the files that it names, draws and meshes its section at
 // both ends and in the middle, and says what it has understood.
 #include "app/case.h"
+#include "app/design_case.h"
 #include "app/document.h"
 #include "app/explain.h"
 #include "app/reach_case.h"
@@ -172,6 +173,7 @@ static status look(command *cmd, found *f)
     TRY(warn_materials(cmd, c));
     TRY(case_has_rod(c) ? warn_tendons(cmd, c) : OK);
     TRY(case_has_segment(c) ? warn_segment(cmd, c) : OK);
+    TRY(case_has_design(c) ? case_design_check(c) : OK);
     TRY(case_has_reach(c) ? check_reach(c, &f->reach) : OK);
 
 done:

@@ -3,6 +3,7 @@
 
 #include "app/reach_case.h"
 #include "base/memory.h"
+#include "base/nearest.h"
 #include "io/expression.h"
 #include "reach/design.h"
 
@@ -122,7 +123,13 @@ static status check_scope(const case_data *c)
     const design_case *d = &c->file.reach.design;
     const int i = case_design_scope(c);
     if (i < 0) {
-        return config_fail(c->config, d->scope.at, "no scope is called '%.60s'", d->scope.text);
+        char words[NEAREST_WORDS];
+        nearest near = nearest_to(d->scope.text);
+        for (int k = 0; k < c->file.reach.scopes.count; k++) {
+            nearest_offer(&near, case_scope(c, k)->name, case_scope(c, k)->name);
+        }
+        return config_fail(c->config, d->scope.at, "no scope is called '%.60s'%s", d->scope.text,
+                           nearest_words(&near, words));
     }
     if (!case_scope_is_rod(case_scope(c, i))) {
         return config_fail(c->config, d->scope.at,
@@ -191,16 +198,10 @@ done:
 
 status case_need_design(const case_data *c)
 {
-    status st = OK;
-    if (!case_has_design(c)) {
-        return config_fail(c->config,
-                           mark_given(c->file.reach.at) ? c->file.reach.at : (mark){1, 1},
-                           "the case has no 'reach.design'");
-    }
-    TRY(case_design_check(c));
-
-done:
-    return st;
+    const mark at = c->file.reach.at;
+    return case_has_design(c) ? case_design_check(c)
+                              : config_fail(c->config, mark_given(at) ? at : (mark){1, 1},
+                                            "the case has no 'reach.design'");
 }
 
 // --- a design as settings

@@ -57,7 +57,7 @@ static void list_done(const case_data *c, word_list *words)
 
 static void explain_parameters(explanation *e, const case_data *c)
 {
-    word_list moved = {0}, fitted = {0}, scopes = {0};
+    word_list moved = {0}, fitted = {0}, scopes = {0}, design = {0};
     const sensitivity_parameter *s = c->file.sensitivity.parameters.items;
     const fit_parameter *f = c->file.fit.parameters.items;
     for (int i = 0; i < c->file.sensitivity.parameters.count; i++) {
@@ -71,10 +71,18 @@ static void explain_parameters(explanation *e, const case_data *c)
         word_list_add(&scopes, "'%.60s' (%s)", scope->name ? scope->name : "",
                       case_scope_is_rod(scope) ? "rod" : "arc");
     }
+    const design_parameter_case *d = c->file.reach.design.parameters.items;
+    for (int i = 0; i < c->file.reach.design.parameters.count; i++) {
+        word_list_add(&design, "'%.60s' from %.6g to %.6g%s%s", d[i].name, d[i].lower, d[i].upper,
+                      d[i].unit && d[i].unit[0] ? " " : "", d[i].unit ? d[i].unit : "");
+    }
     const struct {
         const char *about, *words;
-    } lists[] = {{"sensitivity", moved.text}, {"fit", fitted.text}, {"scopes", scopes.text}};
-    for (int i = 0; i < 3; i++) {
+    } lists[] = {{"sensitivity", moved.text},
+                 {"fit", fitted.text},
+                 {"scopes", scopes.text},
+                 {"design", design.text}};
+    for (int i = 0; i < 4; i++) {
         if (lists[i].words[0]) {
             explain(e, lists[i].about, "%s", lists[i].words);
         }
