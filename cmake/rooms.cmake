@@ -73,6 +73,14 @@ function(program name file)
     add_dependencies(${name} door_hdf5 door_gmsh door_petsc door_gsl door_embree door_nlopt door_mpi)
 endfunction()
 
+# programs of the tests alone: hundreds of them, which gold links in a third of the time
+include(CheckLinkerFlag)
+check_linker_flag(C -fuse-ld=gold STIFFAXIS_GOLD)
+function(tested name)
+    our_code(${name})
+    target_link_options(${name} PRIVATE $<$<BOOL:${STIFFAXIS_GOLD}>:-fuse-ld=gold>)
+endfunction()
+
 # tests/<kind>/<room>/test_X.c is a program linked with that room; tests/cli/*.sh runs the program
 # Label `once`: readers, writers and pictures, whose small tests the sanitized half runs; what is compiled to vectors runs in both.
 # Label `numbers`: long runs whose point is numbers, not memory; the sanitized half of ./run check leaves them out, so that
@@ -91,7 +99,7 @@ function(tests)
                 set(room stiffaxis_api)
             endif()
             add_executable(${name} ${file})
-            our_code(${name})
+            tested(${name})
             target_compile_options(${name} PRIVATE $<IF:$<CONFIG:Debug>,-O0,-O1>) # they are built more often than they run
             target_link_libraries(${name} PRIVATE ${room} m)
             add_dependencies(${name} door_hdf5 door_gmsh door_petsc door_gsl door_embree door_nlopt door_mpi)
@@ -114,7 +122,7 @@ function(tests)
     foreach(file ${files})
         get_filename_component(name ${file} NAME_WE)
         add_executable(${name} ${file})
-        our_code(${name})
+        tested(${name})
         target_link_libraries(${name} PRIVATE commands m)
         add_dependencies(${name} door_gmsh door_gsl door_embree door_nlopt door_mpi)
         add_test(NAME fuzz/${name} COMMAND ${name} 3 1)

@@ -18,6 +18,17 @@ static inline bool test_is_long(void)
     return getenv("STIFFAXIS_LONG") != NULL;
 }
 
+// Memory is watched here: of a campaign a few runs do, its numbers are for the build that users
+// run.
+static inline bool test_is_watched(void)
+{
+#ifdef __SANITIZE_ADDRESS__
+    return true;
+#else
+    return false;
+#endif
+}
+
 // what a check judges goes to its record too, tests/record.h
 #define RECORD(text, value_, wanted_, error_, tolerance_, holds_)                                  \
     do {                                                                                           \

@@ -7,6 +7,6 @@ root=
 [ "$(id -u)" -ne 0 ] || root=--allow-run-as-root
 ways=$(dirname "$program")/verify_way_iterative
 
-expect 0 timeout 300 mpirun $root --oversubscribe -n 3 "$ways"
+expect 0 timeout 300 mpirun $root --oversubscribe -n 3 "$ways" shared
 grep -q 'residual' "$work/out" || fail 'no run was reported'
 finish

@@ -185,10 +185,10 @@ static void noisy_line(const bench *b, int k, gsl_random *g)
 
 static void intervals_hold(const bench *b)
 {
-    enum { SEEDS = 20 };
+    const int seeds = test_is_long() ? 20 : 10;
     int inside[2] = {0};
     double spread[2] = {0}, error[2] = {0};
-    for (int seed = 1; seed <= SEEDS; seed++) {
+    for (int seed = 1; seed <= seeds; seed++) {
         gsl_random *g = NULL;
         CHECK_OK(b->door->make((unsigned long)seed, &g));
         for (int k = 0; k < TENSIONS; k++) {
@@ -198,16 +198,17 @@ static void intervals_hold(const bench *b)
         const outcome o = compare_and_fit(b);
         for (int i = 0; i < 2; i++) {
             inside[i] += o.inside[i];
-            spread[i] += pow(o.value[i] - (i ? true_friction : true_radius), 2) / SEEDS;
-            error[i] += o.error[i] * o.error[i] / SEEDS;
+            spread[i] += pow(o.value[i] - (i ? true_friction : true_radius), 2) / seeds;
+            error[i] += o.error[i] * o.error[i] / seeds;
         }
     }
     printf("lines: radius in %d, friction in %d of %d intervals; true errors %.4f mm and %.5f, "
            "told %.4f mm and %.5f\n",
-           inside[0], inside[1], SEEDS, sqrt(spread[0]), sqrt(spread[1]), sqrt(error[0]),
+           inside[0], inside[1], seeds, sqrt(spread[0]), sqrt(spread[1]), sqrt(error[0]),
            sqrt(error[1]));
     for (int i = 0; i < 2; i++) {
-        CHECK(inside[i] >= 17);               // 85 %: fewer in 2 of 100 such tests at 95 %
+        // 85 and 80 %: fewer in 2 and 1 of 100 such tests at 95 %
+        CHECK(inside[i] >= (test_is_long() ? 17 : 8));
         CHECK_BELOW(error[i], 4 * spread[i]); // not by width
     }
 }
@@ -271,7 +272,7 @@ static void scan_cloud(const bench *b, int k, unsigned long seed, double *off)
 
 static void clouds_give_both_numbers(const bench *b)
 {
-    const unsigned long seeds = test_is_long() ? 5 : 2;
+    const unsigned long seeds = test_is_long() ? 5 : 1;
     int inside = 0;
     for (unsigned long seed = 1; seed <= seeds; seed++) {
         double off = 0, most = 0;
