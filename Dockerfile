@@ -19,6 +19,8 @@ RUN apt-get update \
     && DEBIAN_FRONTEND=noninteractive apt-get install -y /tmp/stiffaxis.deb \
     && rm -rf /tmp/stiffaxis.deb /var/lib/apt/lists/* \
     && useradd --create-home --uid 1000 designer
+# fonts are remembered there, whoever it runs as
+ENV HOME=/tmp
 USER designer
 WORKDIR /work
 ENTRYPOINT ["stiffaxis"]
