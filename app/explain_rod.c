@@ -159,8 +159,10 @@ static void write_effort(explanation *e, const segment_forecast *f, bool toleran
             "elements of order %d%s on %d nodes of the section, %d layers: %lld unknowns%s",
             f->order, size, f->plane_nodes, f->layers, f->dofs,
             tolerance ? " or what the tolerance takes" : "");
-    explain(e, "fem", "method %s: some %.1g s of one core and %.2g GB", f->way, f->seconds,
-            1e-9 * f->bytes);
+    explain(e, "fem",
+            f->seconds < 10 ? "method %s: some %.1g s of one core and %.2g GB%s"
+                            : "method %s: some %.0f s of one core and %.2g GB%s",
+            f->way, f->seconds, 1e-9 * f->bytes, f->fits ? "" : ", more than this machine has");
     if (e->j) {
         json_object(e->j, NULL);
         json_text(e->j, "about", "fem forecast");
@@ -171,6 +173,7 @@ static void write_effort(explanation *e, const segment_forecast *f, bool toleran
         json_text(e->j, "method", f->way);
         json_real(e->j, "seconds", f->seconds);
         json_real(e->j, "bytes", f->bytes);
+        json_flag(e->j, "fits", f->fits);
         json_object_end(e->j);
     }
 }

@@ -305,7 +305,8 @@ status segment_forecast_make(const segment_case *c, const segment_source *source
                               .dofs = 3 * levels * at.plane.nnode,
                               .way = segment_way_name(way),
                               .seconds = cost.seconds,
-                              .bytes = cost.bytes};
+                              .bytes = cost.bytes,
+                              .fits = cost.bytes <= segment_memory()};
 
 done:
     rung_free(&k, &at);

@@ -239,6 +239,7 @@ typedef struct segment_forecast {
     long long dofs;        // held ones among them, unless slabs are doubled
     const char *way;       // what the cost model takes, or the case
     double seconds, bytes; // of it, on one rank
+    bool fits;             // the machine has as many bytes
 } segment_forecast;
 status segment_forecast_make(const segment_case *c, const segment_source *source,
                              segment_forecast *out);

@@ -44,6 +44,11 @@ static double memory_of_rank(int nrank)
     return bytes / nrank;
 }
 
+double segment_memory(void)
+{
+    return memory_of_rank(from_environment("OMPI_COMM_WORLD_SIZE", 1));
+}
+
 // what fits counts before what is fast
 static int cheapest(const way_cost *cost, double memory)
 {

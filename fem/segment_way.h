@@ -13,6 +13,9 @@ void segment_share(body_spec *spec);
 // words; NULL: nobody asks.
 int segment_way_choose(int asked, const segment_problem *p, way_cost *out, char *why);
 
+// Memory that this process may have [byte].
+double segment_memory(void);
+
 // *taken: segment_way; why: what the choice was made by, in words.
 status segment_way_solve(int asked, const segment_problem *p, const way_wants *wants, way_run *run,
                          int *taken, char why[SEGMENT_WHY_WORDS]);

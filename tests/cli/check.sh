@@ -27,6 +27,10 @@ foreseen=$(dofs)
 expect 0 "$program" fem "$cases/fig4.yaml" --json
 [ -n "$foreseen" ] && [ "$foreseen" = "$(dofs)" ] || fail "check foresees $foreseen unknowns, fem has $(dofs)"
 
+# what no machine holds is told before it is tried
+expect 0 "$program" check "$cases/fig4.yaml" --set fem.method=direct --set fem.layers=10000 --set fem.size_mm=0.1
+out 'more than this machine has'
+
 # paths, solutions and files
 expect 0 "$program" check "$cases/pulled_tube.yaml"
 out 'wind: from (0, 3.6) to (-3.6, 0) mm, anchored at s = 90 mm, friction 0.15'
