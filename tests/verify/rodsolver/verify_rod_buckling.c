@@ -47,7 +47,7 @@ static void print_criticals(const char *what, const solved *s)
 
 static void critical_is(const solved *s, int i, double fraction, int negative)
 {
-    CHECK_BELOW(i, s->out.ncritical);
+    CHECK(i < s->out.ncritical);
     if (i < s->out.ncritical) {
         CHECK_NEAR(s->out.critical[i].fraction, fraction, AGREE);
         CHECK(s->out.critical[i].kind == CRITICAL_BIFURCATION);
