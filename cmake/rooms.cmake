@@ -87,6 +87,10 @@ endfunction()
 # build makes their programs only when the target `numbers` is asked for.
 function(tests)
     add_custom_target(numbers)
+    # what takes longest begins first, so that no core waits for the last one
+    set(longest verify_segment_fig4_ladder verify_segment_stability verify_tolerance_kept verify_whole_loop verify_brick_orders
+        verify_rod_stability verify_tube_scenes docs run_cases voxel fit mpirun scan test_figures test_mutants test_page
+        test_edge_layers measured reach reach_report sensitivity)
     foreach(kind unit verify)
         file(GLOB files CONFIGURE_DEPENDS tests/${kind}/*/*.c)
         foreach(file ${files})
@@ -113,7 +117,11 @@ function(tests)
                 add_dependencies(numbers ${name})
                 set_target_properties(${name} PROPERTIES EXCLUDE_FROM_ALL "$<CONFIG:Debug>")
             endif()
-            set_tests_properties(${kind}/${room}/${name} PROPERTIES TIMEOUT 600 LABELS "${labels}"
+            set(cost 1)
+            if(name IN_LIST longest)
+                set(cost 10)
+            endif()
+            set_tests_properties(${kind}/${room}/${name} PROPERTIES TIMEOUT 600 COST ${cost} LABELS "${labels}"
                 ENVIRONMENT "STIFFAXIS_SOURCE=${PROJECT_SOURCE_DIR}")
         endforeach()
     endforeach()
@@ -141,7 +149,11 @@ function(tests)
         if(name IN_LIST numbers)
             list(APPEND labels numbers)
         endif()
-        set_tests_properties(script/${name} PROPERTIES TIMEOUT 600 LABELS "${labels}" ENVIRONMENT
+        set(cost 1)
+        if(name IN_LIST longest)
+            set(cost 10)
+        endif()
+        set_tests_properties(script/${name} PROPERTIES TIMEOUT 600 COST ${cost} LABELS "${labels}" ENVIRONMENT
             "STIFFAXIS=$<TARGET_FILE:stiffaxis>;STIFFAXIS_SOURCE=${PROJECT_SOURCE_DIR};STIFFAXIS_BUILD_TYPE=${CMAKE_BUILD_TYPE}")
     endforeach()
 endfunction()

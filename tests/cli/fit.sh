@@ -25,6 +25,7 @@ section:
 rod:
   length_mm: 120
   points: 61
+  tolerance: 1e-6               # friction's corners are of low order: sharper costs ten times as much
   tendons: [{name: t1, radius_mm: 3.55, angle_rad: 0, friction: 0.2}]
   tensions_N: [[0.49], [0.98]]
 END

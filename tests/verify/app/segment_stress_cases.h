@@ -65,6 +65,7 @@ static inline void stress_walls(stress_table *t)
         s.wall = 1 / wall[k];
         s.ends = STRESS_FREE;
         s.exact = true;
+        s.one_way = t->brief && !test_is_long();
         table_add(t, &s, k == 2);
     }
 }
