@@ -56,8 +56,8 @@ def first_sentence(words):
     """of the comment at the head"""
     lines = []
     for line in words.splitlines():
-        if not line.startswith('#'):
-            break
+        if not line.startswith('#') or line.startswith('#  ') or not line[1:].strip():
+            break  # a command of its own
         lines.append(line[1:].strip())
     return re.split(r'(?<=[a-z\d)"]\.) (?=[A-Z])', ' '.join(lines))[0]
 
