@@ -3,7 +3,7 @@
 # Included: embed_scripts(room). As a script: cmake -DTHREE=three.min.js -DGZIP=gzip -DVIEW_ROOM=reports
 # -DVIEW=joined.js -DCITATION=CITATION.cff -DOUT=scripts.c -P scripts.cmake
 
-set(VIEW_FILES view_inflate.js view_shapes.js view_bodies.js view.js view_hands.js) # in this order
+set(VIEW_FILES view_inflate.js view_shapes.js view_bodies.js view.js view_controls.js view_hands.js) # in this order
 
 if(CMAKE_SCRIPT_MODE_FILE)
     # the view's files are one script, which leaves no name behind

@@ -50,7 +50,7 @@ static status compare_line(bytes *page, const compare_row *row)
         PAGE("</td><td></td><td></td><td></td><td></td><td></td><td></td><td "
              "class=\"skip\">skipped</td>");
     } else {
-        PAGE("</td><td>%s</td><td>%s</td><td class=\"text\">", number_digits(row->ours, 8).text,
+        PAGE("</td><td>%s</td><td>%s</td><td class=\"unit\">", number_digits(row->ours, 8).text,
              number_digits(row->other, 8).text);
         TRY(page_escaped(page, row->unit));
         PAGE("</td><td>%s</td><td>%s</td>", number_digits(row->difference, 2).text,

@@ -10,9 +10,10 @@
 static const char *const style[] = {
     ":root{--ink:#20262f;--soft:#5b6470;--line:#dfe3e8;--tint:#f5f7f9;--accent:#00588f;--bad:#"
     "b3261e;"
-    "--good:#1c6b48;--warn:#7a4b00;--paper:#fff}\n",
+    "--good:#1c6b48;--warn:#7a4b00;--none:#68727d;--paper:#fff}\n",
     "@media screen and (prefers-color-scheme:dark){:root{color-scheme:dark;--ink:#e4e8ed;--soft:#"
-    "a3adb8;--line:#39424c;--tint:#1e242b;--accent:#6db3e6;--bad:#ff8a80;--good:#6fd0a4;--paper:#"
+    "a3adb8;--line:#39424c;--tint:#1e242b;--accent:#6db3e6;--bad:#ff8a80;--good:#6fd0a4;--none:#"
+    "8a949f;--paper:#"
     "14181d}"
     "figure:not(.view){background:#fff;--soft:#5b6470}html "
     ".warn{background:#3a2c10;--warn:#f2c879}}\n",
@@ -50,7 +51,7 @@ static const char *const style[] = {
     "tbody th{border-bottom:1px solid var(--line)}\n"
     "th:first-child,td:first-child,.text{text-align:left}\n"
     "td.text{white-space:normal;min-width:11rem}\n"
-    "td.zero{color:#a6adb6}\n",
+    "td.zero{color:var(--none)}td.unit{text-align:left}\n",
     "figure{margin:1.2rem 0;overflow-x:auto;border:1px solid "
     "var(--line);border-radius:6px;padding:6px}\n"
     "figure svg,figure img{display:block;width:100%;height:auto;min-width:620px}\n"
@@ -75,12 +76,14 @@ static const char *const style[] = {
     "white-space:nowrap;text-shadow:0 0 3px var(--paper),0 0 3px var(--paper)}\n"
     ".view .controls,.view .keys{display:flex;flex-wrap:wrap;gap:6px "
     "18px;align-items:center;margin:"
-    "8px;padding:0;font-size:.9rem}.view .controls select{max-width:60vw}\n"
+    "8px;padding:0;font-size:.9rem}.view .controls select{max-width:60vw}.view .controls "
+    "input,.view .controls select{vertical-align:middle}\n"
     ".view .keys{list-style:none;font-size:.84rem;color:var(--soft)}.view .keys "
     "i{display:inline-block;"
     "width:1em;height:.8em;margin-right:5px;border-radius:2px}.view .keys .ramp{width:6em;margin:0 "
     "4px}\n"
-    ".view .words{margin:8px;min-height:3.2em}.view[data-state=live] .still{display:none}"
+    ".view .words{margin:8px;min-height:3.2em}.view[data-state=live] "
+    ".still,.view[data-state=still] .stage{display:none}"
     ".view .label[hidden],.view .controls [hidden]{display:none}\n",
     ".band{display:inline-block;width:6em;height:.7em;border:1px solid var(--soft);border-radius:"
     "2px}.band i{display:block;height:100%;background:var(--good)}.band .out{background:var(--bad)}"

@@ -181,6 +181,17 @@ static bool varies(const law_along *a)
     return false;
 }
 
+static bool turns(const law_along *a)
+{
+    static const double seen = 0.02; // [rad], of what a drawing shows
+    for (int i = 1; a->turn && i < a->npanel * a->nnode; i++) {
+        if (fabs(a->turn[i] - a->turn[0]) > seen) {
+            return true;
+        }
+    }
+    return false;
+}
+
 static void dress(const run_result *r, rod_outline *o)
 {
     static const int inks = sizeof o->colour / sizeof *o->colour;
@@ -209,10 +220,13 @@ status rod_outline_make(const run_result *r, int nring, const double *s, rod_out
         o.turn[k] = turn_at(along, s[k]) - first;
     }
     if (law && varies(along) && !o.plain) {
-        o.plain = true;
+        // a pattern that turns is seen turning, whatever else becomes of it
+        o.plain = !turns(along);
         (void)snprintf(o.why, sizeof o.why,
-                       "The section changes along the rod; it is drawn as at s = %s mm all along, "
-                       "in one colour.",
+                       o.plain ? "The section changes along the rod; it is drawn as at s = %s mm "
+                                 "all along, in one colour."
+                               : "The section's pattern turns and changes along the rod; it is "
+                                 "drawn as at s = %s mm all along, turned as it turns.",
                        number_short(1e3 * r->section.station[0].s, 5).text);
     }
     dress(r, &o);

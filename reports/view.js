@@ -60,6 +60,7 @@ View.prototype.setUpDrawing = function () {
     this.renderer = new THREE.WebGLRenderer({antialias: true, alpha: true});
     this.renderer.setPixelRatio(Math.min(window.devicePixelRatio || 1, 2));
     this.stage.appendChild(this.renderer.domElement);
+    this.watchLoss(this.renderer.domElement);
     this.scene = new THREE.Scene();
     this.camera = new THREE.PerspectiveCamera(28, 1, 0.01 * this.data.size, 40 * this.data.size);
     const sun = new THREE.DirectionalLight("#ffffff", 0.62);
@@ -84,6 +85,20 @@ View.prototype.setUpDrawing = function () {
     const again = () => this.drawNow();
     (window.ResizeObserver ? new ResizeObserver(again).observe(this.stage)
                            : window.addEventListener("resize", again));
+};
+
+// a machine may take its graphics away, as a phone does that slept: what is left is told, and drawn when it comes back
+View.prototype.watchLoss = function (canvas) {
+    canvas.addEventListener("webglcontextlost", (e) => {
+        e.preventDefault();
+        this.lost = true;
+        this.figure.dataset.state = "still";
+    });
+    canvas.addEventListener("webglcontextrestored", () => {
+        this.lost = false;
+        this.figure.dataset.state = "live";
+        this.draw();
+    });
 };
 
 // the ball around the wall, or around all there is
@@ -186,6 +201,7 @@ View.prototype.showMotion = function () {
         this.motionName.textContent = moving.item.name + " ";
         this.motion.max = moving.item.frames - 1;
         this.motion.value = this.frame;
+        this.motion.setAttribute("aria-valuetext", Math.round(100 * this.frame / this.motion.max) + " % of the way");
         moving.object.visible = Boolean(under);
         moving.object.pose(this.frame);
         this.items.forEach((i) => {
@@ -244,102 +260,3 @@ View.prototype.tellRamp = function (ramp) {
         make("i", {}, line).style.background = ramp.below;
     }
 };
-
-// --- controls
-
-View.prototype.setUpControls = function () {
-    const bar = make("div", {className: "controls"}, this.figure);
-    this.figure.insertBefore(bar, this.stage);
-    this.data.choices.forEach((choice, c) => this.setUpChoice(choice, c, bar));
-    const motion = field("", bar);
-    this.motionName = motion.firstChild;
-    this.motion = make("input", {type: "range", min: 0}, motion);
-    this.motion.oninput = () => {
-        this.frame = Number(this.motion.value);
-        this.choose();
-    };
-    this.setUpFactor(bar);
-    this.play = make("button", {type: "button", textContent: "play"}, bar);
-    this.play.onclick = () => this.run();
-    const layers = make("div", {className: "controls"}, this.figure);
-    this.figure.insertBefore(layers, this.stage.nextSibling);
-    this.data.layers.forEach((name, l) => {
-        const label = make("label", {}, layers);
-        const box = make("input", {type: "checkbox", checked: this.on[l]}, label);
-        make("span", {textContent: " " + name}, label);
-        box.onchange = () => {
-            this.on[l] = box.checked;
-            this.choose();
-        };
-    });
-    looks.forEach((one, k) => {
-        const button = make("button", {type: "button", textContent: one[0]}, layers);
-        button.onclick = () => this.look(k);
-    });
-    this.key = make("ul", {className: "keys"}, this.figure);
-    this.words = make("div", {className: "words"}, this.figure);
-    this.words.setAttribute("aria-live", "polite");
-    [this.key, this.words].forEach((e) => this.figure.insertBefore(e, layers.nextSibling));
-};
-
-View.prototype.setUpFactor = function (bar) {
-    const f = this.data.factor;
-    if (!f) {
-        return;
-    }
-    const label = field(f.name, bar), part = f.most / 40;
-    const slider = make("input", {type: "range", min: 0, max: 40, value: Math.round(f.first / part)},
-                        label);
-    const told = make("output", {}, label), own = make("button", {type: "button",
-                                                                  textContent: "true size"}, bar);
-    const set = (factor) => {
-        this.factor = factor;
-        told.textContent = " × " + Number(factor.toPrecision(3));
-        this.choose();
-    };
-    told.textContent = " × " + Number(f.first.toPrecision(3));
-    slider.oninput = () => set(part * Number(slider.value));
-    own.onclick = () => {
-        slider.value = Math.round(1 / part);
-        set(1);
-    };
-};
-
-View.prototype.setUpChoice = function (choice, c, bar) {
-    const label = field(choice.name, bar), select = make("select", {}, label);
-    const lowest = choice.all ? -1 : 0, here = this.option[c];
-    if (choice.all) {
-        make("option", {textContent: "all", value: -1}, select);
-    }
-    choice.options.forEach((name, k) => make("option", {textContent: name, value: k}, select));
-    const slider = make("input", {type: "range", min: lowest,
-                                  max: choice.options.length - 1, value: here}, label);
-    select.value = here;
-    slider.setAttribute("aria-label", choice.name);
-    slider.hidden = choice.options.length < 3;
-    const set = (from) => () => {
-        this.option[c] = Number(from.value);
-        select.value = slider.value = this.option[c];
-        this.choose();
-    };
-    select.onchange = set(select);
-    slider.oninput = set(slider);
-};
-
-// from outside to the pose, in four seconds
-View.prototype.run = function () {
-    const moving = this.moving, start = performance.now();
-    const step = (now) => {
-        if (this.moving !== moving || !moving) {
-            return;
-        }
-        const last = moving.item.frames - 1;
-        this.frame = Math.min(last, Math.max(0, Math.floor((now - start) / 4000 * last)));
-        this.choose();
-        if (this.frame < last) {
-            requestAnimationFrame(step);
-        }
-    };
-    requestAnimationFrame(step);
-};
-

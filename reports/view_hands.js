@@ -100,7 +100,7 @@ View.prototype.draw = function () {
 
 View.prototype.drawNow = function () {
     const w = this.stage.clientWidth, h = this.stage.clientHeight;
-    if (w === 0 || h === 0) {
+    if (w === 0 || h === 0 || this.lost) {
         return;
     }
     const half = Math.tan(this.camera.fov * Math.PI / 360) * Math.min(1, w / h);

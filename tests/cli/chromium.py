@@ -133,10 +133,11 @@ class Browser:
         self.call('Input.dispatchKeyEvent', type='keyDown', **of)
         self.call('Input.dispatchKeyEvent', type='keyUp', **of)
 
-    def picture(self, path, whole=False):
-        png = self.call('Page.captureScreenshot', format='png', captureBeyondViewport=whole)['data']
-        with open(path, 'wb') as f:
-            f.write(base64.b64decode(png))
+    def seen(self, selector):
+        """what the first such element looks like, as a PNG of half its size"""
+        box = self.ask('(({x, y, width, height}) => ({x: x + scrollX, y: y + scrollY, width, height}))'
+                       '(document.querySelector(%s).getBoundingClientRect())' % json.dumps(selector))
+        return base64.b64decode(self.call('Page.captureScreenshot', format='png', clip=dict(box, scale=0.5))['data'])
 
     def print(self, path):
         pdf = self.call('Page.printToPDF', printBackground=False)['data']
