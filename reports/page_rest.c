@@ -40,6 +40,21 @@ done:
     return st;
 }
 
+// N mm^2 as people write it
+static status unit_of(bytes *page, const char *unit)
+{
+    status st = OK;
+    const char *square = strstr(unit, "^2");
+    TRY(markup_escape(page, unit, square ? (size_t)(square - unit) : strlen(unit)));
+    if (square) {
+        TRY(bytes_text(page, "²"));
+        TRY(page_escaped(page, square + 2));
+    }
+
+done:
+    return st;
+}
+
 static status compare_line(bytes *page, const compare_row *row)
 {
     status st = OK;
@@ -52,7 +67,7 @@ static status compare_line(bytes *page, const compare_row *row)
     } else {
         PAGE("</td><td>%s</td><td>%s</td><td class=\"unit\">", number_digits(row->ours, 8).text,
              number_digits(row->other, 8).text);
-        TRY(page_escaped(page, row->unit));
+        TRY(unit_of(page, row->unit));
         PAGE("</td><td>%s</td><td>%s</td>", number_digits(row->difference, 2).text,
              number_digits(row->tolerance, 2).text);
         TRY(band(page, row));

@@ -42,7 +42,8 @@ static const char *const style[] = {
     ".scroll{overflow-x:auto;margin:.8rem 0}\n"
     "table{border-collapse:collapse;font-size:.86rem;font-variant-numeric:tabular-nums;min-width:"
     "100%}\n"
-    "caption{caption-side:top;text-align:left;color:var(--soft);padding:0 0 6px}\n"
+    "caption{caption-side:top;text-align:left;color:var(--soft);padding:0 max(0px,100% - 100vw + "
+    "40px) 6px 0}\n"
     "th,td{padding:6px 12px;text-align:right;border-bottom:1px solid "
     "var(--line);vertical-align:top;"
     "white-space:nowrap}\n"
@@ -66,7 +67,8 @@ static const char *const style[] = {
     "font:.84rem/1.5 ui-monospace,'DejaVu Sans Mono',monospace}\n"
     "footer{margin-top:3rem;border-top:1px solid "
     "var(--line);color:var(--soft);font-size:.86rem;padding:16px 0 30px}\n",
-    ".view{overflow:visible}.view .stage{position:relative;height:min(70vh,620px);min-height:300px;"
+    ".view{overflow:visible}.view "
+    ".stage{position:relative;height:min(70vh,620px,105vw);min-height:300px;"
     "background:var(--tint);overflow:hidden;touch-action:none;cursor:grab;border-radius:4px}\n"
     ".view .stage:focus-visible{outline:3px solid var(--accent)}.view "
     "canvas{display:block;width:100%;"
@@ -98,10 +100,12 @@ static const char *const style[] = {
     "print{body{font-size:10.5pt}header{background:#fff;color:#000;padding:0;border-bottom:2px "
     "solid #000}"
     "header "
-    "p{color:#333}nav{display:none}h2{break-after:avoid}figure,table,dl.key{break-inside:avoid}"
+    "p{color:#333}nav{display:none}h2{break-after:avoid}figure,tr,dl.key{break-inside:avoid}"
+    "caption{break-after:avoid}table{font-size:7.5pt}.band{width:3em}figcaption,.note{break-inside:"
+    "avoid}"
     "figure,.scroll{overflow:visible}figure svg,figure "
-    "img{min-width:0}pre{white-space:pre-wrap}td.text{min-width:0}"
-    "th,td{padding:3px 6px;white-space:normal}}\n",
+    "img{min-width:0}pre{white-space:pre-wrap}td.text{min-width:8em}"
+    "th,td{padding:2px 4px;white-space:normal}.good,.bad{white-space:nowrap}}\n",
 };
 
 status page_escaped(bytes *page, const char *text)

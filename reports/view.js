@@ -51,8 +51,8 @@ function View(figure) {
     this.setUpDrawing();
     this.setUpControls();
     this.setUpHands();
-    this.look(0);
     this.choose();
+    this.look(0);
     this.drawNow();
 }
 

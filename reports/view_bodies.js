@@ -74,6 +74,18 @@ Rod.prototype.turned = function (p, k) {
     return [c * p[0] - s * p[1], s * p[0] + c * p[1]];
 };
 
+// where the outside's pieces of all inks but the commonest look to, as the rod stands straight
+Rod.prototype.facing = function () {
+    const skin = this.skin, outside = skin.pieces.slice(0, skin.item.loops[0]), count = [], out = [];
+    outside.forEach((piece) => { count[piece.ink] = (count[piece.ink] || 0) + 1; });
+    const common = count.indexOf(count.reduce((most, n) => Math.max(most, n), 0));
+    const rare = skin.columns.filter((c, i) => i >> 1 < outside.length && outside[i >> 1].ink !== common);
+    for (let k = 0; k < this.n; k++) {
+        rare.forEach((c) => out.push(this.turned(c.out, k)));
+    }
+    return out;
+};
+
 Rod.prototype.value = function (p, k) {
     const q = this.turned(p, k), e = this.strain, r = this.skin.item.most;
     const size = Math.abs(e[3 * k] + (e[3 * k + 1] * q[0] + e[3 * k + 2] * q[1]) / r);

@@ -7,11 +7,21 @@ const looks = [["aslant", 0.5, 0.3], ["along y", 0, 0], ["against x", Math.PI / 
                ["against z", 0, Math.PI / 2 - 1e-3]];
 
 View.prototype.look = function (k) {
-    this.azimuth = k === 0 && this.data.byValue ? -0.6 : looks[k][1]; // of the eye: from -y towards x
+    this.azimuth = k === 0 && this.data.byValue ? this.aside() : looks[k][1]; // of the eye: from -y towards x
     this.height = looks[k][2];
     this.away = 1;
     this.middle = this.extent.center.clone();
     this.draw();
+};
+
+// from the side, or where most is seen of what the section has little of, such as a strip, if little of it would be
+View.prototype.aside = function () {
+    const first = -0.6, body = this.items.filter((i) => i.object && i.object.visible && i.body && i.body.facing).map((i) => i.body)[0];
+    const rare = body ? body.facing() : [];
+    const seen = (azimuth) => rare.reduce((sum, d) => sum + Math.max(0, d[0] * Math.sin(azimuth) - d[1] * Math.cos(azimuth)), 0);
+    const all = [0, 1, 2, 3, 4, 5, 6, 7].map((k) => first + k * Math.PI / 4);
+    const best = all.reduce((most, one) => seen(one) > seen(most) ? one : most, first);
+    return seen(best) > 2 * seen(first) ? best : first;
 };
 
 View.prototype.turn = function (right, up) {
