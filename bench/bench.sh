@@ -70,6 +70,20 @@ reach_full() {
     return $full_bad
 }
 
+# the page of constant_nc in a browser, from nothing to a view that answers: `page`
+page() {
+    if ! command -v chromium >/dev/null || ! command -v python3 >/dev/null; then
+        echo 'no chromium or no python3 here'
+        return
+    fi
+    scratch=$(mktemp -d)
+    "$bin/stiffaxis" run cases/constant_nc.yaml --quiet --out "$scratch/result" >/dev/null &&
+        python3 -B bench/bench_page.py "$scratch/result/report.html" "$scratch"
+    page_bad=$?
+    rm -rf "$scratch"
+    return $page_bad
+}
+
 # verdict WORDS ROW ROW LEAST: wall time of the first over the second's
 verdict() {
     echo "$2 $3" | awk -v words="$1" -v least="$4" '{
@@ -82,6 +96,7 @@ names() {
     echo process
     echo segment_scaling
     echo reach_full
+    echo page
     for program in "$bin"/bench_*; do
         name=$(basename "$program")
         case $name in
@@ -102,6 +117,8 @@ one() {
         segment_scaling
     elif [ "$1" = reach_full ]; then
         reach_full
+    elif [ "$1" = page ]; then
+        page
     else
         STIFFAXIS_BENCH_POINTS=$out/$1.csv "$bin/bench_$1"
     fi >"$out/$1.txt" 2>&1 || bad=1
