@@ -246,7 +246,8 @@ def paper(table, run):
 TABLES = [('Sections along', sections), ('Rows: wrench', stiffness), ('More of the section', more_of_section),
           ('One row for each', rods), ('Each solution as', equilibria), ('The largest principal', strains),
           ('What each load does', loads), ('What the layers', ends), ('The model against the paper', paper)]
-HEADS = [('what', compare), ('entry', models), ('material', None)]  # materials are the case's, no answers
+# materials and loads are the case's, no answers
+HEADS = [('what', compare), ('entry', models), ('material', None), ('load', None)]
 
 
 def headline(key, run):
