@@ -55,8 +55,7 @@ class Run:
         self.settle()
 
     def read_limits(self, path):
-        """lines `COMMAND | --set K=V ...`, `COMMAND | alone` (no other program is found)
-        or `COMMAND | tests/X: WORDS`"""
+        """lines `COMMAND | --set K=V ...`, `COMMAND | same --set K=V ...`, `COMMAND | alone` or `COMMAND | tests/X: WORDS`"""
         with open(path, encoding='utf-8') as file:
             lines = [line.strip() for line in file if line.strip() and not line.startswith('#')]
         return {line.split(' | ')[0].strip(): line.split(' | ')[1].strip() for line in lines}
@@ -118,8 +117,9 @@ class Run:
 
     def one(self, page, block, command, wanted):
         """lines that a command says; None where it was not run as it stands"""
-        how = None if self.long else self.limit(command)
-        if how and not how.startswith(('-', 'alone')):
+        how = self.limit(command) or ''
+        how = how[len('always '):] if how.startswith('always ') else '' if self.long else how
+        if how and not how.startswith(('-', 'same', 'alone')):
             self.there(page, block, how)
             return None
         if CHANGES.match(command):
@@ -129,8 +129,8 @@ class Run:
             self.counts['again'] += 1
             return self.memory[key, wanted]
         before = cpu()
-        alone, _, settings = (how or '').partition('alone')
-        line = command.split(' #')[0] + ' ' + (settings or alone) if how else command
+        settings = [word for word in (how or '').split() if word not in ('alone', 'same')]
+        line = ' '.join([command.split(' #')[0]] + settings) if how else command
         around = dict(self.environment, PATH=os.path.dirname(self.program)) if 'alone' in (how or '') else self.environment
         done = subprocess.run(['/bin/bash', '-c', line], cwd=self.scratch, env=around, capture_output=True, text=True,
                               stdin=subprocess.DEVNULL, errors='replace')
@@ -139,7 +139,7 @@ class Run:
         text = (done.stdout + done.stderr).split('\n')
         if done.returncode != wanted:
             self.fail(page, block.line, f'exit code {done.returncode}, not {wanted}: {line}\n    ' + '\n    '.join(text[-5:]))
-        text = text if not how or how == 'alone' else None
+        text = text if not how or how == 'alone' or how.startswith('same') else None
         if done.returncode == wanted and lasting(key):
             self.memory[key, wanted] = text
         return text
@@ -266,9 +266,10 @@ class Run:
             reason = block.says('not run') or block.says('not output')
             if not reason:
                 self.fail(page, block.line, 'not run, and no reason why')
-            if block.says('not run'):
-                self.counts['not run'] += 1
-                self.told.append(f'{page.name}:{block.line}: not run: {reason}')
+            what = 'not run' if block.says('not run') is not None else 'not output'
+            self.counts['not run'] += what == 'not run'
+            if reason:
+                self.told.append(f'{page.name}:{block.line}: {what}: {reason}')
         elif block.language in SHELLS:
             if self.has(page, block):
                 self.shell(page, block)
