@@ -123,7 +123,6 @@ static void rates_are_those_of_solves(const char *what, const rod_spec *spec, in
 int main(void)
 {
     against(BY_SECOND_WAY, "central differences of order 6 of whole solves");
-    against(BY_SECOND_WAY, "central differences of order 6 of whole solves");
     // the constant-offset prototype's size, two tendons at the wall
     law_along law = uniform_law(FULL_LENGTH, diagonal_K(8, 8, 22, 8.5e-5, 2e-4, 6e-5));
     const tendon_spec tendon[2] = {{.x = field_constant(3.6e-3)},
