@@ -160,18 +160,40 @@ static int text_column(const yaml_event_t *event, const char *text, bool plain)
     return straight ? (int)from.column + 1 + !plain : 0;
 }
 
+// What plays with a terminal or forges a line of it is in no text of a case, however it was
+// written; line breaks at the end of a text go, others are blanks.
+static status make_one_line(const builder *b, const yaml_event_t *event, char *text, size_t length)
+{
+    while (length > 0 && text[length - 1] == '\n') {
+        text[--length] = '\0';
+    }
+    for (size_t i = 0; i < length;) {
+        uint32_t point = 0;
+        const int n = utf8_read(text + i, length - i, &point);
+        if (point == '\n' || point == '\t') {
+            text[i] = ' ';
+        } else if (n == 0 || !utf8_is_plain(point)) {
+            return config_fail(b->cfg, place(b, event->start_mark),
+                               "the control character U+%04X in a text", (unsigned)point);
+        }
+        i += (size_t)(n ? n : 1);
+    }
+    return OK;
+}
+
 static status add_scalar(builder *b, const yaml_event_t *event)
 {
     status st = OK;
     node *n = NULL;
     const char *text = NULL;
-    const char *value = (const char *)event->data.scalar.value;
+    char *value = (char *)event->data.scalar.value;
     const size_t length = event->data.scalar.length;
     const bool plain = event->data.scalar.style == YAML_PLAIN_SCALAR_STYLE;
     if (memchr(value, '\0', length)) {
         return refuse(b, event, "a NUL character inside a text");
     }
-    TRY(arena_copy(b->cfg->memory, value, length, &text));
+    TRY(make_one_line(b, event, value, length));
+    TRY(arena_copy(b->cfg->memory, value, strlen(value), &text));
     if (b->depth > 0 && b->stack[b->depth - 1].map->kind == NODE_MAP && !b->key) {
         if (length == 0) {
             TRY(refuse(b, event, "an empty key"));

@@ -49,8 +49,18 @@ expect 0 "$program" check "$cases/fig4.yaml" --set fem.length_mm=2 --json
 err 'warning: the segment is 0.5 radii long'
 out "warning: the segment is 0.5 radii long"
 
-# names from a file are text, and play with no terminal
-sed 's/name: geometric centre/name: "a\\e[31mb"/' "$cases/fig4.yaml" >"$work/escape.yaml"
+# names play with no terminal, however they are written
+escaped() {
+    sed "s/name: geometric centre/name: \"a$1b\"/" "$cases/fig4.yaml" >"$work/escape.yaml"
+    expect 2 "$program" check "$work/escape.yaml"
+    err "the control character $2 in a text"
+    one_line
+}
+escaped '\\e[31m' U+001B
+escaped '\\u202e' U+202E
+escaped '\\u2028' U+2028
+escaped '\\r' U+000D
+sed 's/name: geometric centre/name: "a\\n error: b\\n"/' "$cases/fig4.yaml" >"$work/escape.yaml"
 expect 0 "$program" check "$work/escape.yaml"
-out "'a?[31mb'"
+out "'a  error: b'"
 finish

@@ -149,6 +149,10 @@ static void long_texts(void)
     add(&t, "title: \"", 1);
     add(&t, "\\u202e\\n", 100000);
     add(&t, "\"\nmodel: 3\n", 1);
+    refused_text(&t, ":1:8: error: the control character U+202E in a text");
+    add(&t, "title: \"", 1);
+    add(&t, "x\\n", 100000);
+    add(&t, "\"\nmodel: 3\n", 1);
     refused_text(&t, ":2:1: error: unknown key 'model'; known here are ");
 }
 

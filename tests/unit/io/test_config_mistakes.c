@@ -56,7 +56,8 @@ static const mistake keys[] = {
      "'at' and 'at_mm' exclude each other"},
     {BASE "bad\x1b[31mkey: 1\n", 3, 4, "the control character U+001B"},
     {BASE "Title: words\n", 3, 1, "unknown key 'Title' (did you mean 'title'?)"},
-    {BASE "\"bad\\ekey\\n\": 1\n", 3, 1, "unknown key 'bad?key?'; known here are ..."},
+    {BASE "\"bad\\ekey\\n\": 1\n", 3, 1, "the control character U+001B in a text"},
+    {BASE "\"badkey\\n\": 1\n", 3, 1, "unknown key 'badkey'; known here are ..."},
     {BASE "rod: {length_mm: 1}\n\"\": 1\n", 4, 1, "an empty key"},
 };
 
