@@ -87,38 +87,6 @@ done:
     return st;
 }
 
-static const char *power_of_ten(int n, char *text, size_t size)
-{
-    static const char *const digit[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
-    const int m = abs(n);
-    (void)snprintf(text, size, "10%s%s%s", n < 0 ? "⁻" : "", m > 9 ? digit[m / 10 % 10] : "",
-                   digit[m % 10]);
-    return text;
-}
-
-static void frame(canvas *c, const plot *p, const char axis[2][NAME_SIZE])
-{
-    char text[32];
-    text_look upright = look_aligned(look_inked(LOOK_SMALL, INK), TEXT_CENTRE);
-    for (int n = (int)p->x0; n <= (int)p->x1; n++) {
-        canvas_segment(c, plot_x(p, n), p->at.y, plot_x(p, n), p->at.y + p->at.h);
-        canvas_stroke(c, INK_GRID, 0.8);
-        say(c, plot_x(p, n), p->at.y + p->at.h + 14, look_aligned(LOOK_TICK, TEXT_CENTRE), "%s",
-            power_of_ten(n, text, sizeof text));
-    }
-    for (int n = (int)p->y0; n <= (int)p->y1; n++) {
-        canvas_segment(c, p->at.x, plot_y(p, n), p->at.x + p->at.w, plot_y(p, n));
-        canvas_stroke(c, INK_GRID, 0.8);
-        say(c, p->at.x - 6, plot_y(p, n) + 3.7, look_aligned(LOOK_TICK, TEXT_RIGHT), "%s",
-            power_of_ten(n, text, sizeof text));
-    }
-    canvas_rectangle(c, p->at.x, p->at.y, p->at.w, p->at.h);
-    canvas_stroke(c, INK_FAINT, 0.9);
-    say(c, p->at.x + p->at.w / 2, p->at.y + p->at.h + 31, upright, "%s", axis[0]);
-    upright.turn = -0.5 * acos(-1.0);
-    say(c, p->at.x - 42, p->at.y + p->at.h / 2, upright, "%s", axis[1]);
-}
-
 // the inks come round: then hollow
 static void mark_at(canvas *c, double x, double y, int series)
 {
@@ -168,7 +136,7 @@ static status draw(canvas *c, const void *data)
     const chart *all = data;
     plot p = {.at = {60, 16, 420, 360}};
     decades(all, &p);
-    frame(c, &p, all->axis);
+    plot_decades(c, &p, all->axis[0], all->axis[1]);
     for (int i = 0; i < all->nseries; i++) {
         const double y = p.at.y + 12 + 18 * i, x = p.at.x + p.at.w + 16;
         curve(c, &p, all, i);

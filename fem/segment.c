@@ -7,6 +7,7 @@
 #include "fem/after.h"
 #include "fem/blas.h"
 #include "fem/doubling_plan.h"
+#include "fem/rungs.h"
 #include "fem/segment_plan.h"
 #include "fem/segment_problem.h"
 #include "fem/segment_way.h"
@@ -216,9 +217,33 @@ static void tell_plan(const rung *r, int rungs, segment_result *out)
     out->rungs = rungs;
 }
 
+static void keep_step(segment_result *r)
+{
+    _Static_assert((int)SEGMENT_MOST_STEPS == (int)RUNG_COUNT, "a step for every rung");
+    r->step[r->rungs - 1] = (segment_step){
+        .dofs = (double)r->dofs,
+        .seconds = r->assemble_seconds + r->factor_seconds + r->solve_seconds,
+        .tip_compliance = r->tip_compliance,
+    };
+}
+
+double segment_step_error(const segment_result *r, int step)
+{
+    const mat6 *last = &r->tip_compliance;
+    double most = 0;
+    for (int i = 0; i < 6; i++) {
+        for (int j = 0; j < 6; j++) {
+            const double off = fabs(r->step[step].tip_compliance.a[i][j] - last->a[i][j]);
+            most = fmax(most, off / sqrt(last->a[i][i] * last->a[j][j]));
+        }
+    }
+    return most + r->relative_error;
+}
+
 // time of the rungs below counts too
 static void carry_over(const segment_result *below, segment_result *r)
 {
+    memcpy(r->step, below->step, (size_t)below->rungs * sizeof *r->step);
     r->assemble_seconds += below->assemble_seconds;
     r->factor_seconds += below->factor_seconds;
     r->solve_seconds += below->solve_seconds;
@@ -234,6 +259,7 @@ static status climb_rung(const climb *k, int number, bool first, bool fields, se
     TRY(solve_rung(k, &at, fields, &now));
     now.relative_error = now.middle.relative_error = 1; // one mesh alone tells nothing
     tell_plan(&at, first ? 1 : r->rungs + 1, &now);
+    keep_step(&now);
     if (!first) {
         const bool grows = now.plane_nodes > r->plane_nodes;
         after_errors(r, segment_plan_factor(k->c, k->source, number, grows),

@@ -190,12 +190,22 @@ typedef struct segment_load_result {
                           // NULL unless asked for
 } segment_load_result;
 
+// One mesh of the ladder towards a tolerance.
+typedef struct segment_step {
+    double dofs;         // more than an int holds
+    double seconds;      // CPU time of this mesh
+    mat6 tip_compliance; // as segment_result has it
+} segment_step;
+
+enum { SEGMENT_MOST_STEPS = 6 };
+
 typedef struct segment_result {
     int way;       // segment_way that was taken
     char why[200]; // in words: what the cost model said
     long long dofs;
-    int rungs; // meshes that were solved
-    bool met;  // the tolerance
+    int rungs;                             // meshes that were solved
+    segment_step step[SEGMENT_MOST_STEPS]; // the first `rungs`; all zero where they were not kept
+    bool met;                              // the tolerance
     segment_mesh mesh_used;
     int order, layers;
     int plane_nodes; // of the section's mesh
@@ -217,6 +227,10 @@ typedef struct segment_result {
     double assemble_seconds, factor_seconds, solve_seconds; // CPU time, all rungs
     segment_body body;
 } segment_result;
+
+// How far a mesh is from the answer at most: max |C - C_last|_ij / sqrt(C_ii C_jj) from the last
+// one, and the estimate of that one's own error
+double segment_step_error(const segment_result *r, int step);
 
 // All loads (and six unit wrenches) from one factorization per rung. The caller has resolved where
 // each load acts: `point` [nload][2]. Under mpirun every rank calls it and every rank gets the

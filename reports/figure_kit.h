@@ -50,6 +50,9 @@ double plot_y(const plot *p, double y);
 // taken.
 void plot_frame(canvas *c, const plot *p, const char *x_label, const char *y_label);
 
+// The same with both axes logarithmic: p's values are powers of ten, its edges whole ones.
+void plot_decades(canvas *c, const plot *p, const char *x_label, const char *y_label);
+
 // Widens [*low, *high] by that part of its size; a range of nothing becomes `least` wide.
 void range_pad(double *low, double *high, double part, double least);
 

@@ -3,6 +3,8 @@
 #include "reports/figure_kit.h"
 
 #include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
 
 double nice_step(double span, int count)
 {
@@ -108,6 +110,41 @@ void plot_frame(canvas *c, const plot *p, const char *x_label, const char *y_lab
     canvas_stroke(c, INK_FAINT, 0.9);
     say(c, p->at.x + p->at.w / 2, p->at.y + p->at.h + 31, look, "%s", x_label);
     say(c, p->at.x - 13 - fmax(widest, 20), p->at.y + p->at.h / 2, upright, "%s", y_label);
+}
+
+static number_text power_of_ten(int n)
+{
+    static const char *const digit[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+    number_text out = {{0}};
+    const int m = abs(n);
+    (void)snprintf(out.text, sizeof out.text, "10%s%s%s", n < 0 ? "⁻" : "",
+                   m > 9 ? digit[m / 10 % 10] : "", digit[m % 10]);
+    return out;
+}
+
+void plot_decades(canvas *c, const plot *p, const char *x_label, const char *y_label)
+{
+    text_look look = look_aligned(look_inked(LOOK_SMALL, INK), TEXT_CENTRE);
+    canvas_dash(c, 0, 0);
+    for (int n = (int)p->x0; n <= (int)p->x1; n++) {
+        const double x = plot_x(p, n);
+        canvas_segment(c, x, p->at.y, x, p->at.y + p->at.h);
+        canvas_stroke(c, INK_GRID, 0.8);
+        say(c, x, p->at.y + p->at.h + 15, look_aligned(LOOK_TICK, TEXT_CENTRE), "%s",
+            power_of_ten(n).text);
+    }
+    for (int n = (int)p->y0; n <= (int)p->y1; n++) {
+        const double y = plot_y(p, n);
+        canvas_segment(c, p->at.x, y, p->at.x + p->at.w, y);
+        canvas_stroke(c, INK_GRID, 0.8);
+        say(c, p->at.x - 6, y + 4.5, look_aligned(LOOK_TICK, TEXT_RIGHT), "%s",
+            power_of_ten(n).text);
+    }
+    canvas_rectangle(c, p->at.x, p->at.y, p->at.w, p->at.h);
+    canvas_stroke(c, INK_FAINT, 0.9);
+    say(c, p->at.x + p->at.w / 2, p->at.y + p->at.h + 34, look, "%s", x_label);
+    look.turn = -0.5 * acos(-1.0);
+    say(c, p->at.x - 46, p->at.y + p->at.h / 2, look, "%s", y_label);
 }
 
 void scale_bar(canvas *c, double right, double y, double wanted, double points_per_mm)

@@ -9,6 +9,7 @@ status figures_all(const run_result *r, const char *dir)
     TRY(figure_segments(r, dir));
     TRY(figure_segment_along(r, dir));
     TRY(figure_segment_mesh(r, dir));
+    TRY(figure_time_error(r, dir));
     TRY(figure_rods(r, dir));
     TRY(figure_sweep(r, dir));
     TRY(figure_curvature(r, dir));

@@ -16,6 +16,9 @@ status figure_segment_along(const run_result *r,
                             const char *dir); // segment_along: strains and balance along s
 status figure_segment_mesh(const run_result *r,
                            const char *dir); // segment_mesh: of the section, and its layers
+status figure_time_error(const run_result *r,
+                         const char *dir); // time_error: of the segment's meshes, one finer than
+                                           // the other
 status figure_rods(const run_result *r,
                    const char *dir); // rods: shapes, loads and tendons from three sides
 status figure_sweep(const run_result *r,

@@ -49,6 +49,15 @@ static void write_effort(json *j, const segment_result *s)
     json_text(j, "way", way_names[s->way]);
     json_text(j, "why", s->why);
     json_integer(j, "rungs", s->rungs);
+    json_array(j, "ladder");
+    for (int i = 0; i < s->rungs && i < SEGMENT_MOST_STEPS && s->step[i].dofs > 0; i++) {
+        json_object(j, NULL);
+        json_integer(j, "dofs", (long)s->step[i].dofs);
+        json_real(j, "cpu_s", s->step[i].seconds);
+        json_real(j, "relative_error", segment_step_error(s, i));
+        json_object_end(j);
+    }
+    json_array_end(j);
     json_flag(j, "tolerance_met", s->met);
     json_integer(j, "order", s->order);
     json_integer(j, "layers", s->layers);

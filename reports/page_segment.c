@@ -169,6 +169,9 @@ static status figures(bytes *page, const run_result *r, const char *dir)
                     "Strains of the fitted sections along the segment; what the section's own law "
                     "says is dashed."));
     TRY(page_figure(page, dir, "segment_mesh", "The mesh and its grading."));
+    TRY(page_figure(page, dir, "time_error",
+                    "What accuracy took: error of the tip compliance against unknowns and "
+                    "against the processor time of this run, mesh by mesh."));
 
 done:
     return st;

@@ -94,6 +94,33 @@ done:
 
 #define SEGMENT(member) offsetof(run_result, member)
 
+// the meshes one after the other; results of before have none
+static status pass_steps(const passage *p, run_result *r)
+{
+    static const column columns[] = {
+        {"dofs", COLUMN_REAL, "-", offsetof(segment_step, dofs), 0, {0}, 0},
+        {"cpu_s", COLUMN_ANY, "s", offsetof(segment_step, seconds), 0, {0}, 0},
+        {"tip_compliance",
+         COLUMN_REAL,
+         COMPLIANCE_UNIT,
+         offsetof(segment_step, tip_compliance),
+         2,
+         {6, 6},
+         0},
+    };
+    status st = OK;
+    segment_result *s = &r->segment;
+    const int kept = s->rungs <= SEGMENT_MOST_STEPS ? s->rungs : 0;
+    if (kept < 1 || (p->reading ? !store_has(p->store, "fem/step/dofs") : s->step[0].dofs <= 0)) {
+        return OK;
+    }
+    TRY(passage_columns(p, "fem/step", COUNT_OF(columns), columns,
+                        rows_of(s->step, kept, sizeof *s->step)));
+
+done:
+    return st;
+}
+
 // which way, on which mesh, at what cost
 static status pass_effort(const passage *p, run_result *r)
 {
@@ -135,6 +162,7 @@ static status pass_effort(const passage *p, run_result *r)
     r->segment.dofs = (long long)count;
     TRY(passage_words(p, "fem/why", r->segment.why, sizeof r->segment.why));
     TRY(passage_columns(p, "fem", COUNT_OF(columns), columns, single(r)));
+    TRY(pass_steps(p, r));
 
 done:
     return st;

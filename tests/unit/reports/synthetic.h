@@ -332,6 +332,10 @@ static inline status make_segment(run_result *r, double force)
     TRY(extruded(r->segment_length, &s->body));
     (void)mat6_inverse_spd(s->middle.K, &F);
     s->tip_compliance = beam_tip_compliance(F, r->segment_length);
+    for (int i = 0; i < 2; i++) {
+        s->step[i] = (segment_step){i ? 52000 : 17000, i ? 0.31 : 0.12, s->tip_compliance};
+        s->step[i].tip_compliance.a[0][0] *= i ? 1 : 0.999;
+    }
     TRY(TAKE(s->load, 2));
     s->nload = 2;
     TRY(make_load(r, F, "geometric centre", 0, force, &s->load[0]));

@@ -7,7 +7,7 @@
 #include <unistd.h>
 
 static const char *const names[] = {"section",   "segment", "segment_stress", "rods",
-                                    "curvature", "wrench",  "tendons"};
+                                    "curvature", "wrench",  "tendons",        "time_error"};
 
 // the first bytes of a PNG and the size in its header: two pixels to the point
 static void check_png(const char *dir, const char *name)

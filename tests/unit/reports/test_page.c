@@ -25,7 +25,7 @@ static void one_file_holds_everything(void)
     CHECK(well_formed(page));
     CHECK(ids_are_unique(page));
     // what has very many pieces stands there as points
-    CHECK(count_of(page, "<svg") + count_of(page, "<img alt=") == 9 &&
+    CHECK(count_of(page, "<svg") + count_of(page, "<img alt=") == 10 &&
           count_of(page, "<?xml") == 0);
     // nothing from outside: the only addresses are the names of the SVG's vocabularies
     CHECK(count_of(page, "http://") == count_of(page, "\"http://www.w3.org/"));

@@ -231,6 +231,10 @@ static void make_segment(counter *c, run_result *r)
     fill(c, 2, s->stiffness_centre);
     fill(c, 2, s->tip_centre);
     fill(c, 36, s->tip_compliance.a);
+    for (int i = 0; i < 3; i++) { // the last is the result's own
+        s->step[i] = (segment_step){6e8 * (i + 1), 0.25 * (i + 1), s->tip_compliance};
+        s->step[i].tip_compliance.a[2][2] *= 1 + 0.1 * (2 - i);
+    }
     s->relative_error = 0.01;
     s->residual = 1e-13;
     s->nload = 2;
@@ -410,6 +414,7 @@ static void documents_have_the_keys_of_the_contract(void)
                                       "way",
                                       "why",
                                       "rungs",
+                                      "ladder",
                                       "tolerance_met",
                                       "end_length_m",
                                       "slices",
@@ -549,6 +554,7 @@ static void the_store_gives_back_all_of_a_run(const scratch *dir)
                      sizeof(segment_slice[4])) == 0);
         CHECK(memcmp(back.rod.run[i].shape, r.rod.run[i].shape, 3 * sizeof(pose)) == 0);
     }
+    CHECK(memcmp(back.segment.step, r.segment.step, 3 * sizeof(segment_step)) == 0);
     CHECK(memcmp(back.rod.load_sketch, r.rod.load_sketch, sizeof *r.rod.load_sketch) == 0);
     CHECK(memcmp(back.rod.tendon_end, r.rod.tendon_end, sizeof(double[2])) == 0);
     CHECK(memcmp(back.rod.tendon_path, r.rod.tendon_path, sizeof(double[12])) == 0);

@@ -59,6 +59,21 @@ static double at_load(const segment_load_result *l)
     return 1e3 * (l->tip_displacement[2] - l->tip_rotation[1] * l->point[0]);
 }
 
+// every mesh is kept with what it took, ever larger, and is nearer to the last one
+static void steps_are_kept(const segment_result *r)
+{
+    CHECK(r->rungs >= 2 && r->rungs <= SEGMENT_MOST_STEPS);
+    double seconds = 0;
+    for (int i = 0; i < r->rungs; i++) {
+        seconds += r->step[i].seconds;
+        CHECK(i == 0 || r->step[i].dofs > r->step[i - 1].dofs);
+        CHECK(i == 0 || segment_step_error(r, i) < segment_step_error(r, i - 1));
+    }
+    CHECK((long long)r->step[r->rungs - 1].dofs == r->dofs);
+    CHECK(segment_step_error(r, r->rungs - 1) == r->relative_error);
+    CHECK_NEAR(seconds, r->assemble_seconds + r->factor_seconds + r->solve_seconds, 1e-12);
+}
+
 static void solve_by(const char *method, const char *length, double tolerance, solved *s)
 {
     char word[40], asked[40];
@@ -72,6 +87,7 @@ static void solve_by(const char *method, const char *length, double tolerance, s
 static void capped_as_in_the_table(const solved *s, double tolerance)
 {
     const segment_load_result *gc = &s->r.segment.load[0], *nc = &s->r.segment.load[1];
+    steps_are_kept(&s->r.segment);
     near(1e3 * gc->tip_displacement[2], -0.59999, 2 * tolerance, 1e-5);
     near(angle(gc), 7.048, 2 * tolerance, 1e-3);
     near(fabs(gc->mid_curvature[1]), 6.232, 2 * tolerance, 1e-3);
