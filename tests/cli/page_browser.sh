@@ -35,6 +35,6 @@ command -v chromium >/dev/null || {
 python3 -B "$source/tests/cli/page_browser.py" "$page" "$work/run.json" "$work" || fail "the page in a browser"
 
 # printed and without WebGL nothing is missing: the drawn pictures are all there
-[ "$(grep -oE '<svg role|<img alt' "$page" | wc -l)" = 8 ] || fail "pictures are missing"
+[ "$(grep -oE '<svg role|<img alt' "$page" | wc -l)" = 9 ] || fail "pictures are missing"
 
 [ "$failures" = 0 ]
