@@ -153,7 +153,7 @@ def printed(browser, work):
     browser.media('print')
     assert browser.ask('document.querySelectorAll("figure.view").length') == 2
     assert browser.ask('Array.from(document.querySelectorAll("figure.view")).every((f) => getComputedStyle(f).display === "none")')
-    assert browser.ask('Array.from(document.querySelectorAll("figure svg, figure img")).filter((p) => p.getClientRects().length).length') == 8
+    assert browser.ask('Array.from(document.querySelectorAll("figure svg, figure img")).filter((p) => p.getClientRects().length).length') == 9
     browser.media()
     browser.print(os.path.join(work, 'page.pdf'))
     with open(os.path.join(work, 'page.pdf'), 'rb') as f:
