@@ -114,6 +114,18 @@ expect 0 "$program" design "$work/area/area.yaml" --set reach.design.evaluations
 out 'at first       0.00 % of the area'
 awk '$1 == "found" && $2 > 0 { found = 1 } END { exit !found }' "$work/out" || fail 'no area is found'
 
+# every number of the page
+if command -v python3 >/dev/null; then
+    numbers() {
+        python3 -B "$source/tests/cli/page_numbers.py" "$1" "$work/area.json"
+    }
+    expect 0 "$program" design "$work/area/area.yaml" --set reach.design.evaluations=4 --json --quiet --out "$work/shown"
+    cp "$work/out" "$work/area.json"
+    numbers "$work/shown/report.html" >"$work/told" || fail "$(cat "$work/told")"
+    sed 's/: 8 evaluations/: 9 evaluations/' "$work/shown/report.html" >"$work/changed.html"
+    numbers "$work/changed.html" >/dev/null && fail 'a wrong count of evaluations goes unnoticed'
+fi
+
 # --- what can be wrong
 
 wrong() {

@@ -15,7 +15,7 @@ command -v python3 >/dev/null || {
     exit "$failures"
 }
 check() {
-    python3 "$source/tests/cli/page_numbers.py" "$1" "$work/run.json"
+    python3 -B "$source/tests/cli/page_numbers.py" "$1" "$work/run.json"
 }
 check "$page" >"$work/told" || fail "$(cat "$work/told")"
 # a check that can fail: one digit of a table, of the headline, of what a view says

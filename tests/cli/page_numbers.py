@@ -1,89 +1,12 @@
 """Holds every number of a page's tables, headline and views against the JSON document of the same run, to the digits that
-the page prints.  page_numbers.py report.html run.json"""
+the page prints; of a reach study those of its sentences too.  page_numbers.py report.html run.json"""
 import json
 import math
 import re
 import sys
-from html.parser import HTMLParser
 
-NUMBER = re.compile(r'-?\d+(?:\.\d+)?(?:×10[⁻⁰¹²³⁴-⁹]+)?')
-RAISED = str.maketrans('⁻⁰¹²³⁴⁵⁶⁷⁸⁹', '-0123456789')
-checked = 0
-wrong = []
-
-
-class Page(HTMLParser):
-    """tables: (caption, header, rows of cells); key: name -> value of the headline; words: of the views"""
-
-    def __init__(self):
-        super().__init__()
-        self.tables, self.key, self.scenes, self.text = [], [], [], ''
-        self.row, self.scene, self.small = [], False, False
-
-    def handle_starttag(self, tag, attrs):
-        self.scene = tag == 'script' and ('type', 'application/json') in attrs
-        if tag == 'table':
-            self.tables.append(['', [], []])
-        if tag == 'tr':
-            self.row = []
-        if tag in ('td', 'th', 'caption', 'dt', 'dd', 'script'):
-            self.text = ''
-        if tag == 'small':
-            self.text += '|'
-
-    def handle_data(self, data):
-        self.text += data
-
-    def handle_endtag(self, tag):
-        if tag == 'caption':
-            self.tables[-1][0] = self.text
-        elif tag in ('td', 'th'):
-            self.row.append(self.text.strip())
-        elif tag == 'thead':
-            self.tables[-1][1] = self.row
-        elif tag == 'tr' and self.tables[-1][1]:
-            self.tables[-1][2].append(self.row)
-        elif tag in ('dt', 'dd'):
-            self.key.append(self.text.strip())
-        elif tag == 'script' and self.scene:
-            self.scenes.append(json.loads(self.text))
-
-
-def numbers(text):
-    """(value, half of the last digit) of each number in a cell"""
-    found = []
-    for word in NUMBER.findall(text.replace('−', '-')):
-        digits, _, power = word.partition('×10')
-        power = int(power.translate(RAISED)) if power else 0
-        decimals = len(digits.partition('.')[2])
-        found.append((float(digits) * 10.0 ** power, 0.5 * 10.0 ** (power - decimals)))
-    return found
-
-
-def same(where, text, *values):
-    """the cell's numbers are these values, and no others"""
-    global checked
-    values = [v for v in values if v is not None]
-    found = numbers(text)
-    good = len(found) == len(values)
-    for (shown, half), value in zip(found, values):
-        good = good and abs(shown - value) <= half * (1 + 1e-6) + 1e-12 * abs(value)
-        checked += 1
-    if not good:
-        wrong.append(f'{where}: the page says {text!r}, JSON {values}')
-
-
-def degrees(x):
-    return None if x is None else math.degrees(x)
-
-
-def times(factor, x):
-    return None if x is None else factor * x
-
-
-def points(factor, p):
-    return [factor * x for x in p]
-
+import page_reach
+from page_cells import Page, checked, degrees, numbers, points, same, times, wrong
 
 # --- one function per table, by words of its caption or head
 
@@ -267,6 +190,8 @@ def headline(key, run):
         elif name == 'Comparisons':
             if ('all agree' in cell) != run['compare']['ok']:
                 wrong.append('headline: ' + cell)
+        elif name.startswith('Targets reached: '):
+            page_reach.headline(name, cell, run)
         else:
             wrong.append('headline that no document has: ' + name)
 
@@ -293,22 +218,30 @@ def words(scene, run):
             wrong.append('a view says what no document has: ' + text)
 
 
-def main():
-    page, run = Page(), json.load(open(sys.argv[2], encoding='utf-8'))
-    page.feed(open(sys.argv[1], encoding='utf-8').read())
+def check(page, run):
     for table in page.tables:
-        by = [f for word, f in TABLES if table[0].startswith(word)] or [f for word, f in HEADS if table[1][0] == word]
+        by = [f for word, f in TABLES if table[0].startswith(word)] or [page_reach.table_of(table)]
+        by = [f for f in by if f] or [f for word, f in HEADS if table[1][0] == word]
         if not by:
             wrong.append(f'a table that no document has: {table[0]} {table[1]}')
         elif by[0]:
             by[0](table, run)
     headline(page.key, run)
+    if page_reach.of(run):
+        page_reach.sentences(page.said, run)
     for scene in page.scenes:
-        words(scene, run)
+        (page_reach.view if page_reach.is_view(scene) else words)(scene, run)
+
+
+def main():
+    page, run = Page(), json.load(open(sys.argv[2], encoding='utf-8'))
+    page.feed(open(sys.argv[1], encoding='utf-8').read())
+    check(page, run)
     for line in wrong[:10]:
         print(line)
-    print(f'{checked} numbers in {len(page.tables)} tables, the headline and {len(page.scenes)} views; {len(wrong)} wrong')
-    sys.exit(1 if wrong or checked < 20 else 0)
+    print(f'{len(checked)} numbers in {len(page.tables)} tables, the headline and {len(page.scenes)} views; {len(wrong)} wrong')
+    sys.exit(1 if wrong or len(checked) < 20 else 0)
 
 
-main()
+if __name__ == '__main__':
+    main()
