@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
+#include <string.h>
 
 enum { COLUMNS = 3, MAX_ROWS = 8 };
 
@@ -18,13 +19,21 @@ typedef struct words {
 
 static void add(words *w, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
+// whole or not at all: half a number is another one. What is left off is told, and ends the words
 static void add(words *w, const char *format, ...)
 {
+    static const char more[] = " …";
     va_list arguments;
     va_start(arguments, format);
-    if (w->used < w->size) {
-        const int n = vsnprintf(w->text + w->used, w->size - w->used, format, arguments);
-        w->used += n > 0 ? (size_t)n : 0;
+    if (w->used + sizeof more < w->size) {
+        const size_t room = w->size - w->used - sizeof more + 1;
+        const int n = vsnprintf(w->text + w->used, room, format, arguments);
+        if (n >= 0 && (size_t)n < room) {
+            w->used += (size_t)n;
+        } else {
+            memcpy(w->text + w->used, more, sizeof more);
+            w->used = w->size;
+        }
     }
     va_end(arguments);
 }

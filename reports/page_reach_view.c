@@ -174,24 +174,12 @@ done:
 
 static void find_box(const reach_result *r, scene_spec *spec)
 {
-    double high[3] = {-INFINITY, -INFINITY, -INFINITY};
-    for (int d = 0; d < 3; d++) {
-        spec->low[d] = INFINITY;
-    }
+    scene_box box = scene_box_empty();
     for (int i = 0; i < r->nvertex; i++) {
-        for (int d = 0; d < 3; d++) {
-            spec->low[d] = fmin(spec->low[d], r->vertex[i][d]);
-            high[d] = fmax(high[d], r->vertex[i][d]);
-        }
-    }
-    for (int d = 0; d < 3; d++) {
-        spec->size = fmax(spec->size, high[d] - spec->low[d]);
+        scene_box_add(&box, r->vertex[i]);
     }
     // twice the tissue: shafts outside, and bodies that leave it
-    for (int d = 0; d < 3; d++) {
-        spec->low[d] = (spec->low[d] + high[d]) / 2 - spec->size;
-    }
-    spec->size *= 2;
+    scene_box_put(&box, 2, 0, spec);
 }
 
 static double value_most(const reach_result *r)
@@ -228,7 +216,7 @@ static status open_scene(reach_scene *w)
                        .value_name = "clearance, mm",
                        .value_most = value_most(w->r)};
     find_box(w->r, &spec);
-    if (isfinite(spec.size) && spec.size > 0) {
+    if (scene_is_possible(&spec)) {
         TRY(scene_open(&spec, &w->s));
     }
 

@@ -185,25 +185,14 @@ done:
 
 static void find_box(const rod_space *w, scene_spec *spec)
 {
-    double high[3], radius = w->outline.radius;
-    for (int d = 0; d < 3; d++) {
-        spec->low[d] = INFINITY;
-        high[d] = -INFINITY;
-        for (int i = 0; i < w->nsolution * w->nring; i++) {
-            const double x = run_of(w, i / w->nring)->shape[w->ring[i % w->nring]].p.a[d];
-            spec->low[d] = fmin(spec->low[d], x);
-            high[d] = fmax(high[d], x);
-        }
-        for (int k = 0; k < w->nring && rod_rest_is_known(&w->r->rod); k++) {
-            spec->low[d] = fmin(spec->low[d], w->r->rod.rest[w->ring[k]].p.a[d]);
-            high[d] = fmax(high[d], w->r->rod.rest[w->ring[k]].p.a[d]);
-        }
-        spec->size = fmax(spec->size, high[d] - spec->low[d]);
+    scene_box box = scene_box_empty();
+    for (int i = 0; i < w->nsolution * w->nring; i++) {
+        scene_box_add(&box, run_of(w, i / w->nring)->shape[w->ring[i % w->nring]].p.a);
     }
-    spec->size += 4 * radius; // tendons run outside some sections
-    for (int d = 0; d < 3; d++) {
-        spec->low[d] = (spec->low[d] + high[d] - spec->size) / 2;
+    for (int k = 0; k < w->nring && rod_rest_is_known(&w->r->rod); k++) {
+        scene_box_add(&box, w->r->rod.rest[w->ring[k]].p.a);
     }
+    scene_box_put(&box, 1, 4 * w->outline.radius, spec); // tendons run outside some sections
 }
 
 static status open_scene(rod_space *w)
@@ -228,7 +217,7 @@ static status open_scene(rod_space *w)
                        .value_most = w->most,
                        .by_value = true};
     find_box(w, &spec);
-    return isfinite(spec.size) && spec.size > 0 ? scene_open(&spec, &w->s) : OK;
+    return scene_is_possible(&spec) ? scene_open(&spec, &w->s) : OK;
 }
 
 static status choose(rod_space *w)
@@ -271,6 +260,9 @@ status page_rod_view(bytes *page, const run_result *r)
     status st = OK;
     rod_space w = {.r = r};
     double s[RINGS];
+    if (r->rod.nsolution < 1 || r->rod.npoint < 2) {
+        return OK;
+    }
     TRY(choose(&w));
     for (int k = 0; k < w.nring; k++) {
         s[k] = r->rod.run[0].s[w.ring[k]];

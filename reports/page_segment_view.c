@@ -111,20 +111,11 @@ done:
 // all that is drawn at the largest factor
 static void find_box(const segment_space *w, scene_spec *spec)
 {
-    double high[3];
-    for (int d = 0; d < 3; d++) {
-        spec->low[d] = INFINITY;
-        high[d] = -INFINITY;
-        for (int i = 0; i < w->skin[0].nvertex; i++) {
-            spec->low[d] = fmin(spec->low[d], w->skin[0].at[i][d]);
-            high[d] = fmax(high[d], w->skin[0].at[i][d]);
-        }
-        spec->size = fmax(spec->size, high[d] - spec->low[d]);
+    scene_box box = scene_box_empty();
+    for (int i = 0; i < w->skin[0].nvertex; i++) {
+        scene_box_add(&box, w->skin[0].at[i]);
     }
-    spec->size *= 1.5;
-    for (int d = 0; d < 3; d++) {
-        spec->low[d] = (spec->low[d] + high[d] - spec->size) / 2;
-    }
+    scene_box_put(&box, 1.5, 0, spec);
 }
 
 static status open_scene(segment_space *w)
@@ -149,7 +140,7 @@ static status open_scene(segment_space *w)
                        .by_value = true,
                        .factor = {"Displacements times", 2 * w->magnify, w->magnify}};
     find_box(w, &spec);
-    return isfinite(spec.size) && spec.size > 0 ? scene_open(&spec, &w->s) : OK;
+    return scene_is_possible(&spec) ? scene_open(&spec, &w->s) : OK;
 }
 
 static bool all_is_here(const run_result *r)

@@ -8,7 +8,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-enum { AROUND = 40, LOOPS = 8, CUTS = 8, CIRCLE = 40 };
+enum { AROUND = 40, LOOPS = 8, CUTS = 8, LEAST_PIECES = 12, CIRCLE = 40 };
 
 bool rod_rest_is_known(const rod_result *rod)
 {
@@ -42,19 +42,30 @@ static double edge_length(const plane_edges *e, const plane_edge *edge)
 static int cuts_of(const plane_edges *e, const plane_edge *edge, const edge_cuts *cuts)
 {
     const double n = cuts->stride > 1 ? 1 : round(edge_length(e, edge) / cuts->step);
-    return n < 1 ? 1 : n > CUTS ? CUTS : (int)n;
+    return !(n >= 1) ? 1 : n > CUTS ? CUTS : (int)n;
 }
 
-static edge_cuts cuts_for(const plane_loops *l, int loop, double around)
+// small loops get as few pieces as they are small
+static edge_cuts cuts_for(const plane_loops *l, int loop, double own, double around)
 {
     const int n = l->start[loop + 1] - l->start[loop];
-    return (edge_cuts){1 + n / (4 * AROUND), around / AROUND};
+    const double part = around > 0 ? fmin(own / around, 1) : 1;
+    return (edge_cuts){1 + n / (int)fmax(4 * AROUND * part, LEAST_PIECES), around / AROUND};
+}
+
+static double loop_length(const plane_edges *e, const plane_loops *l, int loop)
+{
+    double sum = 0;
+    for (int k = l->start[loop]; k < l->start[loop + 1]; k++) {
+        sum += edge_length(e, &e->edge[l->order[k]]);
+    }
+    return sum;
 }
 
 static void add_loop(rod_outline *o, const plane_edges *e, const plane_loops *l, int loop,
                      double around)
 {
-    const edge_cuts cuts = cuts_for(l, loop, around);
+    const edge_cuts cuts = cuts_for(l, loop, loop_length(e, l, loop), around);
     int n = 0;
     for (int k = l->start[loop]; k < l->start[loop + 1]; k += cuts.stride) {
         const plane_edge *edge = &e->edge[l->order[k]];
@@ -66,15 +77,6 @@ static void add_loop(rod_outline *o, const plane_edges *e, const plane_loops *l,
     }
     o->loop[o->nloop++] = n;
     o->npoint += n;
-}
-
-static double loop_length(const plane_edges *e, const plane_loops *l, int loop)
-{
-    double sum = 0;
-    for (int k = l->start[loop]; k < l->start[loop + 1]; k++) {
-        sum += edge_length(e, &e->edge[l->order[k]]);
-    }
-    return sum;
 }
 
 // the largest loops first: what is left off is small
@@ -149,6 +151,29 @@ done:
     return st;
 }
 
+// whether there is one, of places that are numbers
+static bool is_drawable(const rod_outline *o)
+{
+    bool all = o->npoint > 0;
+    for (int i = 0; i < o->npoint; i++) {
+        all = all && isfinite(o->point[i][0]) && isfinite(o->point[i][1]);
+    }
+    return all;
+}
+
+static status shape_of(const run_result *r, rod_outline *o)
+{
+    status st = OK;
+    TRY(r->has_section && r->section_mesh.nnode > 0 ? from_mesh(&r->section_mesh, o) : OK);
+    if (!is_drawable(o)) {
+        rod_outline_free(o);
+        TRY(circle(r, o));
+    }
+
+done:
+    return st;
+}
+
 // --- along the rod
 
 static double turn_at(const law_along *a, double s)
@@ -212,12 +237,13 @@ status rod_outline_make(const run_result *r, int nring, const double *s, rod_out
     rod_outline o = {0};
     const law_along *along = &r->section.along;
     const bool law = r->has_section && along->law && r->section.nstation > 0;
+    TRY(shape_of(r, &o));
     TRY(TAKE(o.turn, (size_t)nring));
-    TRY(r->has_section && r->section_mesh.nnode > 0 ? from_mesh(&r->section_mesh, &o)
-                                                    : circle(r, &o));
     const double first = law ? turn_at(along, r->section.station[0].s) : 0;
     for (int k = 0; law && k < nring; k++) {
-        o.turn[k] = turn_at(along, s[k]) - first;
+        const double turn = turn_at(along, s[k]) - first;
+        o.plain = o.plain || !isfinite(turn);
+        o.turn[k] = isfinite(turn) ? turn : 0;
     }
     if (law && varies(along) && !o.plain) {
         // a pattern that turns is seen turning, whatever else becomes of it

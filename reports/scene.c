@@ -142,6 +142,9 @@ status scene_tube(scene *s, scene_place at, int npoint, const double (*point)[3]
                   const double *value, double radius, colour ink)
 {
     status st = OK;
+    if (npoint < 1 || !scene_are_numbers(3 * (size_t)npoint, point[0])) {
+        return OK;
+    }
     scene_begin(s, "tube", at);
     TRY(put_tube(s, 1, npoint, point, radius, ink));
     TRY(value ? scene_put_values(s, "values", npoint, value) : OK);
@@ -155,6 +158,10 @@ status scene_motion(scene *s, scene_place at, int nframe, int npoint, const doub
                     double radius, colour ink, const char *name)
 {
     status st = OK;
+    if (nframe < 1 || npoint < 1 ||
+        !scene_are_numbers(3 * (size_t)nframe * (size_t)npoint, point[0])) {
+        return OK;
+    }
     scene_begin(s, "tube", at);
     json_text(s->j, "name", name);
     TRY(put_tube(s, nframe, npoint, point, radius, ink));
@@ -167,6 +174,9 @@ done:
 status scene_line(scene *s, scene_place at, int npoint, const double (*point)[3], colour ink)
 {
     status st = OK;
+    if (npoint < 1 || !scene_are_numbers(3 * (size_t)npoint, point[0])) {
+        return OK;
+    }
     scene_begin(s, "line", at);
     scene_put_colour(s, "colour", ink);
     TRY(scene_put_places(s, "points", npoint, point));
@@ -181,6 +191,9 @@ status scene_points(scene *s, scene_place at, int npoint, const double (*point)[
                     const char *const *label)
 {
     status st = OK;
+    if (npoint < 1 || !scene_are_numbers(3 * (size_t)npoint, point[0])) {
+        return OK;
+    }
     scene_begin(s, "points", at);
     json_real(s->j, "radius", 1e3 * radius);
     scene_put_colours(s, "colours", nink, ink);

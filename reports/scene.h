@@ -40,6 +40,19 @@ typedef struct scene_spec {
     scene_factor factor;
 } scene_spec;
 
+// The box around places.
+typedef struct scene_box {
+    double low[3], high[3];
+    bool unknown; // one of them is no number
+} scene_box;
+
+scene_box scene_box_empty(void);
+void scene_box_add(scene_box *b, const double place[3]);
+// The scene's cube: about the middle of the box, across `times` its longest side and `more`. [m]
+void scene_box_put(const scene_box *b, double times, double more, scene_spec *spec);
+
+// Whether its sizes are numbers, and such as a browser draws. What is not possible is not opened.
+bool scene_is_possible(const scene_spec *spec);
 status scene_open(const scene_spec *spec, scene **out);
 // The page's element: <figure class="view"> with the scene inside.
 status scene_close(scene *s, const char *caption, bytes *page);
@@ -55,6 +68,9 @@ static inline scene_place scene_in(int layer)
 {
     return (scene_place){layer, {SCENE_ANY, SCENE_ANY, SCENE_ANY}};
 }
+
+// Tubes, lines, points and rods with a place that is no number, and what moves by no number, are
+// left out.
 
 // At most 65535 vertices. Seen from within through what faces the eye.
 status scene_wall(scene *s, scene_place at, int nvertex, const double (*vertex)[3], int ntriangle,
@@ -88,7 +104,7 @@ typedef struct scene_outline {
 // turn [npoint]: of the outline at the points of every rod [rad].
 status scene_skin(scene *s, const scene_outline *outline, int npoint, const double *turn);
 // A rod in the last skin; strain [npoint]: at the origin, and its slopes in x and y [value, value
-// per m]; what is drawn is its size.
+// per m]; what is drawn is its size. Grey where one of them is no number.
 status scene_rod(scene *s, scene_place at, int npoint, const pose *shape, const double (*strain)[3],
                  const char *name);
 

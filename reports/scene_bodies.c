@@ -29,10 +29,11 @@ done:
     return st;
 }
 
+// no number, which JSON calls null, where one of them is none
 static double largest_of(size_t n, const double *x)
 {
-    double most = 0;
-    for (size_t i = 0; i < n; i++) {
+    double most = scene_are_numbers(n, x) ? 0 : NAN;
+    for (size_t i = 0; i < n && !isnan(most); i++) {
         most = fmax(most, fabs(x[i]));
     }
     return most;
@@ -49,10 +50,11 @@ status scene_skin(scene *s, const scene_outline *o, int npoint, const double *tu
         json_integer(s->j, NULL, o->loop[i]);
     }
     json_array_end(s->j);
-    const double most = largest_of(2 * (size_t)n, o->point[0]);
+    const double *place = n > 0 ? o->point[0] : NULL;
+    const double most = largest_of(2 * (size_t)n, place);
     s->skin = most;
     json_real(s->j, "most", 1e3 * most);
-    TRY(put_signed(s, "outline", 2 * (size_t)n, o->point[0], most));
+    TRY(put_signed(s, "outline", 2 * (size_t)n, place, most));
     scene_put_colours(s, "colours", o->nink, o->colour);
     TRY(scene_put_bytes(s, "kinds", o->ink, (size_t)n));
     const double around = largest_of((size_t)npoint, turn);
@@ -103,11 +105,23 @@ done:
     return st;
 }
 
+static bool are_poses(int npoint, const pose *shape)
+{
+    bool all = npoint > 0;
+    for (int i = 0; all && i < npoint; i++) {
+        all = scene_are_numbers(3, shape[i].p.a) && scene_are_numbers(9, shape[i].R.a[0]);
+    }
+    return all;
+}
+
 status scene_rod(scene *s, scene_place at, int npoint, const pose *shape, const double (*strain)[3],
                  const char *name)
 {
     status st = OK;
     double(*point)[3] = NULL;
+    if (!are_poses(npoint, shape)) {
+        return OK;
+    }
     TRY(TAKE(point, (size_t)npoint));
     for (int i = 0; i < npoint; i++) {
         for (int d = 0; d < 3; d++) {
@@ -148,6 +162,9 @@ status scene_moved(scene *s, scene_place at, int nvertex, const double (*move)[3
     status st = OK;
     const size_t n = 3 * (size_t)nvertex;
     const double most = nvertex > 0 ? largest_of(n, move[0]) : 0;
+    if (isnan(most)) {
+        return OK;
+    }
     scene_begin(s, "moved", at);
     json_text(s->j, "name", name);
     json_real(s->j, "most", 1e3 * most);

@@ -10,6 +10,16 @@
 
 // --- packed numbers
 
+bool scene_are_numbers(size_t n, const double *x)
+{
+    for (size_t i = 0; i < n; i++) {
+        if (!isfinite(x[i])) {
+            return false;
+        }
+    }
+    return true;
+}
+
 static uint16_t step_of(const scene *s, double x, int d)
 {
     const double step = round((x - s->low[d]) / s->size * UINT16_MAX);

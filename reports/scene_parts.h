@@ -19,6 +19,7 @@ struct scene {
     json *j;
 };
 
+bool scene_are_numbers(size_t n, const double *x);
 status scene_put_bytes(scene *s, const char *key, const void *data, size_t count);
 status scene_put_words(scene *s, const char *key, size_t n, const uint16_t *word);
 status scene_put_places(scene *s, const char *key, int n, const double (*point)[3]);

@@ -107,6 +107,11 @@ done:
     return st;
 }
 
+static unsigned part_of(double percent)
+{
+    return isnan(percent) ? 0 : (unsigned)lround(fmin(fmax(percent, 0), 100) * 2.55);
+}
+
 static status write_colour(const char **at, bytes *out)
 {
     double part[3] = {0};
@@ -117,8 +122,7 @@ static status write_colour(const char **at, bytes *out)
         p = end + strcspn(end, "0123456789)");
     }
     *at = p + (*p == ')');
-    return bytes_format(out, "#%02x%02x%02x", (unsigned)lround(part[0] * 2.55),
-                        (unsigned)lround(part[1] * 2.55), (unsigned)lround(part[2] * 2.55));
+    return bytes_format(out, "#%02x%02x%02x", part_of(part[0]), part_of(part[1]), part_of(part[2]));
 }
 
 // --- coordinates: to a hundredth of a point, each from the one before, nothing written that can be
@@ -151,6 +155,13 @@ done:
     return st;
 }
 
+// far outside of any sheet, and small enough that steps do not overflow
+static long hundredths_of(double points)
+{
+    static const double most = 1e9;
+    return isnan(points) ? 0 : lround(fmin(fmax(points * 100, -most), most));
+}
+
 // the numbers of one command, pair by pair; a curve's three are all steps from where it begins
 static status put_pairs(pen *p, char command, const char **at)
 {
@@ -159,7 +170,7 @@ static status put_pairs(pen *p, char command, const char **at)
         long x[2];
         for (int d = 0; d < 2; d++) {
             char *end = NULL;
-            x[d] = lround(strtod(*at, &end) * 100);
+            x[d] = hundredths_of(strtod(*at, &end));
             if (end == *at) {
                 return OK;
             }
@@ -215,7 +226,7 @@ static status write_place(const char **at, bytes *out)
     char *end = NULL;
     pen pen = {.out = out, .bare = true};
     const double value = strtod(*at, &end);
-    TRY(end > *at ? put_number(&pen, lround(value * 100)) : OK);
+    TRY(end > *at ? put_number(&pen, hundredths_of(value)) : OK);
     *at = end;
 
 done:

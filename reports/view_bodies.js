@@ -87,6 +87,9 @@ Rod.prototype.facing = function () {
 };
 
 Rod.prototype.value = function (p, k) {
+    if (this.item.strained === null) {
+        return 255;
+    }
     const q = this.turned(p, k), e = this.strain, r = this.skin.item.most;
     const size = Math.abs(e[3 * k] + (e[3 * k + 1] * q[0] + e[3 * k + 2] * q[1]) / r);
     return 1 + 253 * Math.min(1, size / this.data.ramp.most);

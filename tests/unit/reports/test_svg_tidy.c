@@ -54,9 +54,52 @@ static void something_else_is_refused(void)
     bytes_free(&out);
 }
 
+// cairo writes no such thing; what comes of it stands within the sheet's numbers
+static void hostile_numbers_are_kept_small(void)
+{
+    static const char wild[] = "<svg width=\"1e999px\" height=\"nanpx\">"
+                               "<path style=\"fill:rgb(1e9%,-5%,nan%);\" d=\"M 1e30 -1e30 L -1e308 "
+                               "1e308 C inf 0 0 nan 1 1 "
+                               "Z\"/><use x=\"nan\" y=\"-inf\"/></svg>";
+    bytes raw = {0}, out = {0};
+    CHECK_OK(bytes_text(&raw, wild));
+    CHECK_OK(svg_tidy(&raw, "a", "b", 1, &out));
+    CHECK(out.data && strstr(out.data, "d=\"M10000000-10000000l-20000000 20000000c"));
+    CHECK(out.data && strstr(out.data, "x=\"0\" y=\"-10000000\""));
+    CHECK(out.data && strstr(out.data, "fill:#ff0d00;"));
+    bytes_free(&raw);
+    bytes_free(&out);
+}
+
+// what is cut off or has one letter changed is tidied or refused, and read no further than it goes
+static void damaged_pictures_are_read_to_their_end(void)
+{
+    unsigned seed = 1;
+    int refused = 0;
+    for (size_t k = 0; k < 3 * sizeof raw_svg; k++) {
+        const size_t at = k % (sizeof raw_svg - 1);
+        bytes raw = {0}, out = {0};
+        CHECK_OK(bytes_append(&raw, raw_svg, k < sizeof raw_svg ? at : sizeof raw_svg - 1));
+        if (at < raw.length) {
+            seed = seed * 1664525u + 1013904223u;
+            raw.data[at] = "<>\"0Ze-%#\x80 M"[seed >> 28 < 12 ? seed >> 28 : 0];
+        }
+        const status st = svg_tidy(&raw, "a", "b", 1, &out);
+        CHECK(st == OK || st == ERR_BUG);
+        CHECK(st != OK || out.length < 4 * sizeof raw_svg);
+        refused += st != OK;
+        status_clear();
+        bytes_free(&raw);
+        bytes_free(&out);
+    }
+    CHECK(refused > 0 && refused < (int)sizeof raw_svg);
+}
+
 int main(void)
 {
     ids_get_a_name_and_defaults_go();
     something_else_is_refused();
+    hostile_numbers_are_kept_small();
+    damaged_pictures_are_read_to_their_end();
     return test_failures != 0;
 }
