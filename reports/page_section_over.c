@@ -25,6 +25,21 @@ static double paper_y(const over *o, double y)
     return o->frame.y0 - o->frame.scale * y;
 }
 
+static bool is_on_paper(const over *o, const double at[2])
+{
+    return isfinite(paper_x(o, at[0])) && isfinite(paper_y(o, at[1]));
+}
+
+static bool mesh_is_on_paper(const over *o)
+{
+    const mesh *m = &o->s->r->section_mesh;
+    bool all = true;
+    for (int i = 0; all && i < m->nnode; i++) {
+        all = is_on_paper(o, m->xyz + 3 * (size_t)i);
+    }
+    return all;
+}
+
 // words go with every part: for a pointer, for a screen reader, and under the drawing
 static status open_part(over *o, const char *words)
 {
@@ -109,6 +124,9 @@ static status centre(over *o, const char *name, const double at[2])
     status st = OK;
     bytes *page = o->out;
     char words[200];
+    if (!is_on_paper(o, at)) {
+        return OK;
+    }
     (void)snprintf(words, sizeof words, "%s: (%s, %s) mm from the origin", name,
                    number_fixed(at[0] * 1e3, 5).text, number_fixed(at[1] * 1e3, 5).text);
     TRY(open_part(o, words));
@@ -127,6 +145,9 @@ static status axis(over *o, const char *name, double EI, double angle)
     char words[200];
     const double *c = o->s->centres->stiffness_centre;
     const double reach = 0.42 * fmin(o->at.w, o->at.h);
+    if (!is_on_paper(o, c) || !isfinite(angle)) {
+        return OK;
+    }
     (void)snprintf(words, sizeof words,
                    "principal axis %s: turned by %s deg from x, bending about it %s N mm²", name,
                    number_fixed(angle * 180 / acos(-1.0), 3).text, number_digits(EI * 1e6, 8).text);
@@ -171,7 +192,7 @@ status page_section_figure(bytes *page, const run_result *r, const char *dir)
         TRY(section_sketch_make(r, &s));
         const box at = section_sketch_box(&s);
         over o = {&s, sketch_frame_of(&r->section_mesh, at), at, &over_text};
-        TRY(parts(&o));
+        TRY(mesh_is_on_paper(&o) ? parts(&o) : OK);
     }
     TRY(page_figure_under(page, dir, "section", over_text.data,
                           "The section at the first station, to scale. Point at, tap or tab to a "

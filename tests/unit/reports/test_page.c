@@ -13,6 +13,14 @@ static char *page_of(const run_result *r, const char *dir)
     return page ? page : calloc(1, 1);
 }
 
+static void put_picture(const char *dir, const char *name)
+{
+    char path[128];
+    (void)snprintf(path, sizeof path, "%s/%s.svg", dir, name);
+    FILE *f = fopen(path, "w");
+    CHECK(f && fputs("<svg></svg>\n", f) >= 0 && fclose(f) == 0);
+}
+
 static void one_file_holds_everything(void)
 {
     run_result r = {0};
@@ -201,6 +209,37 @@ static void verdicts_are_counted(void)
     synthetic_free(&r);
 }
 
+// what lies nowhere is not marked on the section's picture: a path of no numbers is an error of the
+// page, which browsers tell
+static void marks_of_no_numbers_are_left_out(void)
+{
+    static const double hostile[] = {NAN, INFINITY, 1.7e308};
+    run_result r = {0};
+    char dir[64];
+    scratch_make(dir);
+    CHECK_OK(synthetic_make(1, 0, -0.5, &r));
+    put_picture(dir, "section");
+    const double x = r.section_mesh.xyz[0];
+    for (int i = 0; i < 3; i++) {
+        char *page = page_of(&r, dir);
+        CHECK(count_of(page, "<g class=\"over\"") == 7); // materials, axes and centres
+        free(page);
+        r.section.station[0].centres.shear_centre[0] = i < 2 ? hostile[i] : 0;
+        page = page_of(&r, dir);
+        CHECK(count_of(page, "<g class=\"over\"") == (i < 2 ? 6 : 7));
+        CHECK(count_of(page, "\"nan") + count_of(page, "\"inf") == 0);
+        free(page);
+        r.section.station[0].centres.shear_centre[0] = 0;
+        r.section_mesh.xyz[0] = hostile[i];
+        page = page_of(&r, dir);
+        CHECK(count_of(page, "<g class=\"over\"") == 0);
+        free(page);
+        r.section_mesh.xyz[0] = x;
+    }
+    scratch_free(dir);
+    synthetic_free(&r);
+}
+
 static void a_result_of_nothing_is_a_page_too(void)
 {
     const run_result nothing = {0};
@@ -225,6 +264,7 @@ int main(void)
     a_sweep_is_no_wall_of_numbers();
     the_paper_is_cited_for_its_own_figure_only();
     verdicts_are_counted();
+    marks_of_no_numbers_are_left_out();
     a_result_of_nothing_is_a_page_too();
     return test_failures != 0;
 }
