@@ -213,20 +213,20 @@ static void verdicts_are_counted(void)
 // page, which browsers tell
 static void marks_of_no_numbers_are_left_out(void)
 {
-    static const double hostile[] = {NAN, INFINITY, 1.7e308};
+    static const double hostile[] = {NAN, INFINITY};
     run_result r = {0};
     char dir[64];
     scratch_make(dir);
     CHECK_OK(synthetic_make(1, 0, -0.5, &r));
     put_picture(dir, "section");
     const double x = r.section_mesh.xyz[0];
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < 2; i++) {
         char *page = page_of(&r, dir);
         CHECK(count_of(page, "<g class=\"over\"") == 7); // materials, axes and centres
         free(page);
-        r.section.station[0].centres.shear_centre[0] = i < 2 ? hostile[i] : 0;
+        r.section.station[0].centres.shear_centre[0] = hostile[i];
         page = page_of(&r, dir);
-        CHECK(count_of(page, "<g class=\"over\"") == (i < 2 ? 6 : 7));
+        CHECK(count_of(page, "<g class=\"over\"") == 6);
         CHECK(count_of(page, "\"nan") + count_of(page, "\"inf") == 0);
         free(page);
         r.section.station[0].centres.shear_centre[0] = 0;
