@@ -57,8 +57,9 @@ void word_list_add(word_list *l, const char *format, ...)
     if (l->used + (size_t)(n > 0 ? n : 0) + 8 < sizeof l->text && n < (int)sizeof word) {
         l->used += (size_t)snprintf(l->text + l->used, sizeof l->text - l->used, "%s%s",
                                     l->used ? ", " : "", word);
-    } else if (l->used > 3 && strcmp(l->text + l->used - 3, "...") != 0) {
-        l->used += (size_t)snprintf(l->text + l->used, sizeof l->text - l->used, ", ...");
+    } else if (l->used < 3 || strcmp(l->text + l->used - 3, "...") != 0) {
+        l->used += (size_t)snprintf(l->text + l->used, sizeof l->text - l->used, "%s...",
+                                    l->used ? ", " : "");
     }
 }
 
@@ -67,19 +68,19 @@ void word_list_add(word_list *l, const char *format, ...)
 static void describe_material(const material *m, word_list *words)
 {
     if (m->kind == MATERIAL_ANISOTROPIC) {
-        word_list_add(words, "%s: anisotropic", m->name);
+        word_list_add(words, "%.60s: anisotropic", m->name);
     } else if (m->kind == MATERIAL_ORTHOTROPIC) {
-        word_list_add(words, "%s: orthotropic", m->name);
+        word_list_add(words, "%.60s: orthotropic", m->name);
         word_list_add(words, "E1 %.6g MPa, E2 %.6g, E3 %.6g", 1e-6 * m->E1, 1e-6 * m->E2,
                       1e-6 * m->E3);
     } else if (material_is_graded(m) || material_varies(m)) {
-        word_list_add(words, "%s: E varies over %s%s%s", m->name,
+        word_list_add(words, "%.60s: E varies over %s%s%s", m->name,
                       material_is_graded(m) ? "x and y" : "",
                       material_is_graded(m) && material_varies(m) ? " and " : "",
                       material_varies(m) ? "s" : "");
         word_list_add(words, "nu %.6g", m->nu);
     } else {
-        word_list_add(words, "%s: E %.6g MPa, nu %.6g", m->name, 1e-6 * m->E, m->nu);
+        word_list_add(words, "%.60s: E %.6g MPa, nu %.6g", m->name, 1e-6 * m->E, m->nu);
     }
     if (m->density > 0) {
         word_list_add(words, "%.6g kg/m3", m->density);
@@ -157,7 +158,7 @@ static void explain_shapes(explanation *e, const case_data *c)
         if (same > 1) {
             (void)snprintf(times, sizeof times, "%d x ", same);
         }
-        word_list_add(&words, k >= 0 ? "%s%s of %s" : "%s%s cut out", times, kind_of(&shapes[i]),
+        word_list_add(&words, k >= 0 ? "%s%s of %.60s" : "%s%s cut out", times, kind_of(&shapes[i]),
                       k >= 0 ? c->materials[k].name : "");
     }
     explain(e, "section", "%s%s", section->shapes.count > 1 ? "later ones on top: " : "",
@@ -177,7 +178,7 @@ static status explain_areas(explanation *e, const case_data *c, const mesh *m)
     TRY(section_areas(m, c->nmaterial, area));
     for (int i = 0; i < c->nmaterial; i++) {
         if (area[i] > 0) {
-            word_list_add(&words, "%.5g mm2 of %s", 1e6 * area[i], c->materials[i].name);
+            word_list_add(&words, "%.5g mm2 of %.60s", 1e6 * area[i], c->materials[i].name);
         }
     }
     for (int b = 0; b < m->nblock; b++) {

@@ -49,6 +49,15 @@ expect 0 "$program" check "$cases/fig4.yaml" --set fem.length_mm=2 --json
 err 'warning: the segment is 0.5 radii long'
 out "warning: the segment is 0.5 radii long"
 
+# a long name is cut, and what belongs to it stays
+long=$(printf '%0300d' 0 | tr 0 n)
+sed "s/soft/$long/g" "$cases/fig4.yaml" >"$work/long.yaml"
+expect 0 "$program" check "$work/long.yaml"
+cut=$(printf '%060d' 0 | tr 0 n)
+out "materials    $cut: E 0.66 MPa, nu 0.3, close to linear"
+out "annulus of $cut,"
+out "16.965 mm2 of $cut, 1.131 mm2 of stiff"
+
 # names play with no terminal, however they are written
 escaped() {
     sed "s/name: geometric centre/name: \"a$1b\"/" "$cases/fig4.yaml" >"$work/escape.yaml"
