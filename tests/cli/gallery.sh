@@ -35,6 +35,13 @@ for file in "$source"/cases/*.yaml "$source"/cases/*/*.yaml; do
     page "<section class=\"card\" id=\"$(basename "$file" .yaml)\">"
 done
 
+# a run of one case leaves those of the others where they are
+expect 0 python3 "$maker" --program "$program" --out "$work/gallery" yu_box15
+expect 0 python3 "$maker" --program "$program" --out "$work/gallery" --again
+out ' 2 of them run'
+page 'href="yu_pipe/report.html"'
+page 'href="yu_box15/report.html"'
+
 # what fails is told
 printf '#!/bin/sh\necho "the <b>disk</b> is full" >&2\nexit 5\n' >"$work/full"
 chmod +x "$work/full"

@@ -45,6 +45,12 @@ row = f"<td>{worst['value']:.9g}</td><td>{worst['wanted']:.9g}</td>"
 sys.exit(0 if row in page and len(told) > 35 else 1)
 END
 
+# a run of one test leaves the records of the others where they are
+expect 0 python3 "$maker" --build "$built" --out "$work/page" --jobs 1 verify_rod_order
+expect 0 python3 "$maker" --build "$built" --out "$work/page" --again verify_becas verify_rod_order
+page 'BECAS user&#x27;s guide'
+page 'order is six (verify_rod_order)'
+
 # a wrong number, one that is none, a slope that is off and a program that breaks off
 mkdir -p "$work/broken/bin" "$work/section"
 cat >"$work/section/verify_becas.c" <<'END'

@@ -133,13 +133,15 @@ def main():
     out = asked.out.resolve()
     out.mkdir(parents=True, exist_ok=True)
     runs = out / 'runs.json'
-    before = json.loads(runs.read_text(encoding='utf-8')) if asked.again else {}
+    before = json.loads(runs.read_text(encoding='utf-8')) if runs.exists() else {}
     for shown in every:
         if asked.again and shown.name in before:
             shown.code, shown.seconds, shown.told = before[shown.name]
         elif not asked.again and not shown.why:
             run(shown, asked.program.resolve(), out)
-    runs.write_text(json.dumps({s.name: (s.code, s.seconds, s.told) for s in every if s.code is not None}), encoding='utf-8')
+    # those that were not asked for keep what they have
+    before.update({s.name: (s.code, s.seconds, s.told) for s in every if s.code is not None})
+    runs.write_text(json.dumps(before), encoding='utf-8')
     (out / 'index.html').write_text(whole(every, out), encoding='utf-8')
 
     wrong = [s for s in every if s.code is not None and (s.code > 1 or not picture(s, out))]

@@ -42,6 +42,10 @@ def programs_of(names):
     return [records.Program(s) for s in sources if not names or s.stem in names]
 
 
+def record_of(program, record_dir):
+    return record_dir / f'{program.room}.{program.name}.jsonl'
+
+
 def run_all(programs, asked, record_dir):
     """anew, or as they last ran"""
     told = record_dir / 'runs.json'
@@ -50,11 +54,16 @@ def run_all(programs, asked, record_dir):
         for p in programs:
             p.code, p.seconds, p.output = runs.get(p.name, (None, 0.0, ''))
         return
-    shutil.rmtree(record_dir, ignore_errors=True)
-    record_dir.mkdir(parents=True)
+    if not asked.names:  # those that were not asked for keep what they have
+        shutil.rmtree(record_dir, ignore_errors=True)
+    record_dir.mkdir(parents=True, exist_ok=True)
+    for p in programs:
+        record_of(p, record_dir).unlink(missing_ok=True)
+    runs = json.loads(told.read_text(encoding='utf-8')) if told.exists() else {}
     with concurrent.futures.ThreadPoolExecutor(asked.jobs) as pool:
         list(pool.map(lambda p: run(p, asked.build.resolve(), record_dir), programs))
-    told.write_text(json.dumps({p.name: (p.code, p.seconds, p.output) for p in programs}), encoding='utf-8')
+    runs.update({p.name: (p.code, p.seconds, p.output) for p in programs})
+    told.write_text(json.dumps(runs), encoding='utf-8')
 
 
 def main():
@@ -70,7 +79,7 @@ def main():
     programs = programs_of(asked.names)
     run_all(programs, asked, record_dir)
     for program in programs:
-        path = record_dir / f'{program.room}.{program.name}.jsonl'
+        path = record_of(program, record_dir)
         if path.exists():
             records.read(path, program)
     (asked.out / 'index.html').write_text(whole(programs, commit(), versions(asked.build / 'bin' / 'stiffaxis')), encoding='utf-8')
