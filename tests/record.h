@@ -29,6 +29,7 @@ typedef struct record_numbers {
     double value, wanted, error,
         tolerance; // error and tolerance in the same unit; NaN for a bare condition
     bool holds;
+    bool least; // wanted is the least that value may be
 } record_numbers;
 
 // one place in a test's text that judges, however often
@@ -92,7 +93,10 @@ static inline void record_number(const char *name, double x)
     if (isfinite(x)) {
         (void)fprintf(record_state.to, ",\"%s\":%.17g", name, x);
     } else {
-        (void)fprintf(record_state.to, ",\"%s\":%s", name, isnan(x) ? "null" : "1e999");
+        (void)fprintf(record_state.to, ",\"%s\":%s", name,
+                      isnan(x) ? "null"
+                      : x > 0  ? "1e999"
+                               : "-1e999");
     }
 }
 
@@ -122,7 +126,8 @@ static inline void record_judged(const record_place *place, const char *about_wh
     record_number("wanted", j->wanted);
     record_number("error", j->error);
     record_number("tolerance", j->tolerance);
-    (void)fprintf(record_state.to, ",\"holds\":%s", j->holds ? "true" : "false");
+    (void)fprintf(record_state.to, ",\"least\":%s,\"holds\":%s", j->least ? "true" : "false",
+                  j->holds ? "true" : "false");
 }
 
 // what a place judged beyond what was told one by one
@@ -163,9 +168,6 @@ static inline bool record_open(void)
         room = name;
         name = p + 1;
     }
-    for (const char *p = strchr(room, '/'); p && p + 1 < name; p = strchr(room, '/')) {
-        room = p + 1;
-    }
     char path[4096];
     const int n = snprintf(path, sizeof path, "%s/%.*s.%.*s.jsonl", dir, (int)strcspn(room, "/"),
                            room, (int)strcspn(name, "."), name);
@@ -188,9 +190,13 @@ static inline void against(verified_by way, const char *source)
     (void)record_open();
 }
 
-// error as a share of what is allowed; what is no number is worse than all
+// error as a share of what is allowed, the least as a share of what there is; what is no number is
+// worse than all
 static inline double record_share(const record_numbers *j)
 {
+    if (j->least) {
+        return j->wanted <= 0 && j->holds ? 0 : j->value > 0 ? j->wanted / j->value : HUGE_VAL;
+    }
     if (!(j->error <= j->tolerance)) {
         return j->error / j->tolerance >= 0 ? j->error / j->tolerance : HUGE_VAL;
     }

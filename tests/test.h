@@ -33,9 +33,28 @@ static inline bool test_is_watched(void)
 #define RECORD(text, value_, wanted_, error_, tolerance_, holds_)                                  \
     do {                                                                                           \
         static record_place place_ = {.file = __FILE__, .line = __LINE__, .what = text};           \
-        record(&place_, __func__, (record_numbers){value_, wanted_, error_, tolerance_, holds_});  \
+        record(&place_, __func__,                                                                  \
+               (record_numbers){.value = value_,                                                   \
+                                .wanted = wanted_,                                                 \
+                                .error = error_,                                                   \
+                                .tolerance = tolerance_,                                           \
+                                .holds = holds_});                                                 \
     } while (0)
 
+// a number that has only a lower bound
+#define RECORD_LEAST(text, value_, least_, holds_)                                                 \
+    do {                                                                                           \
+        static record_place place_ = {.file = __FILE__, .line = __LINE__, .what = text};           \
+        record(&place_, __func__,                                                                  \
+               (record_numbers){.value = value_,                                                   \
+                                .wanted = least_,                                                  \
+                                .error = value_ < least_ ? least_ - value_ : 0,                    \
+                                .tolerance = 0,                                                    \
+                                .holds = holds_,                                                   \
+                                .least = true});                                                   \
+    } while (0)
+
+// what has no number; a number goes to one of those below, which tell it
 #define CHECK(condition)                                                                           \
     do {                                                                                           \
         const bool holds_ = (condition);                                                           \
@@ -72,7 +91,7 @@ static inline bool test_is_watched(void)
         }                                                                                          \
     } while (0)
 
-// an error, and how large it may be: value < bound
+// an error, and how large it may be: value < bound, or <=
 #define CHECK_BELOW(value, bound)                                                                  \
     do {                                                                                           \
         const double v_ = (value), t_ = (bound);                                                   \
@@ -80,7 +99,41 @@ static inline bool test_is_watched(void)
         RECORD(#value, v_, 0, v_ < 0 ? 0 : v_, t_, holds_);                                        \
         if (!holds_) {                                                                             \
             test_failures++;                                                                       \
-            printf("%s:%d: %s = %.6g is not below %.6g\n", __FILE__, __LINE__, #value, v_, t_);    \
+            printf("%s:%d: %s = %.9g is not below %.9g\n", __FILE__, __LINE__, #value, v_, t_);    \
+        }                                                                                          \
+    } while (0)
+
+#define CHECK_AT_MOST(value, bound)                                                                \
+    do {                                                                                           \
+        const double v_ = (value), t_ = (bound);                                                   \
+        const bool holds_ = v_ <= t_;                                                              \
+        RECORD(#value, v_, 0, v_ < 0 ? 0 : v_, t_, holds_);                                        \
+        if (!holds_) {                                                                             \
+            test_failures++;                                                                       \
+            printf("%s:%d: %s = %.9g is not at most %.9g\n", __FILE__, __LINE__, #value, v_, t_);  \
+        }                                                                                          \
+    } while (0)
+
+// a number, and how large it must be: value > bound, or >=
+#define CHECK_ABOVE(value, bound)                                                                  \
+    do {                                                                                           \
+        const double v_ = (value), t_ = (bound);                                                   \
+        const bool holds_ = v_ > t_;                                                               \
+        RECORD_LEAST(#value, v_, t_, holds_);                                                      \
+        if (!holds_) {                                                                             \
+            test_failures++;                                                                       \
+            printf("%s:%d: %s = %.9g is not above %.9g\n", __FILE__, __LINE__, #value, v_, t_);    \
+        }                                                                                          \
+    } while (0)
+
+#define CHECK_AT_LEAST(value, bound)                                                               \
+    do {                                                                                           \
+        const double v_ = (value), t_ = (bound);                                                   \
+        const bool holds_ = v_ >= t_;                                                              \
+        RECORD_LEAST(#value, v_, t_, holds_);                                                      \
+        if (!holds_) {                                                                             \
+            test_failures++;                                                                       \
+            printf("%s:%d: %s = %.9g is not at least %.9g\n", __FILE__, __LINE__, #value, v_, t_); \
         }                                                                                          \
     } while (0)
 

@@ -62,6 +62,13 @@ static void slopes(void)
     CHECK_WITHIN(observed_order(3, h, error), 2, 0.1);
 }
 
+static void bounds(void)
+{
+    CHECK_AT_LEAST(3.0, 3.0);
+    CHECK_AT_MOST(3.0, 3.0);
+    CHECK_ABOVE(0.5, 2.0);
+}
+
 int main(void)
 {
     against(BY_CLOSED_FORM, "a \"made\" <b>mistake</b>");
@@ -71,6 +78,7 @@ int main(void)
     }
     CHECK(1 + 1 == 2);
     slopes();
+    bounds();
     return test_failures != 0;
 }
 END
@@ -90,16 +98,27 @@ for one in verify_becas verify_full; do
         fail "$one.c does not compile"
 done
 expect 1 python3 "$maker" --build "$work/broken" --out "$work/page" --jobs 1 verify_becas verify_full verify_patch
-out 'section/verify_becas: 3 checks do not hold'
+out 'section/verify_becas: 4 checks do not hold'
+out '1005 numbers and 1 conditions in 3 programs'
 out 'section/verify_full: did not come to its end'
 out 'fem/verify_patch: left no record'
 page '2 of 1002 fail'
 page 'no number of 2 allowed'
 page '<td>1.25</td><td>1</td><td>0.25</td><td>0.2</td>'
 page '1 of 1 fail'
+page '0.5, at least 2'
+page '<td>3</td><td>≥ 3</td>'
+page '<dt>Conditions without a number</dt><dd>1 '
+page 'ran in the short form'
 page 'a &quot;made&quot; &lt;b&gt;mistake&lt;/b&gt;'
 page 'order 1: 1.00'
 no_page '<b>mistake'
+
+# whole campaigns are told as such, and what was recorded so stays so
+expect 1 python3 "$maker" --build "$work/broken" --out "$work/page" --jobs 1 --long verify_full
+page 'The tests ran whole'
+expect 1 python3 "$maker" --build "$work/broken" --out "$work/page" --again verify_becas verify_full
+page 'others whole'
 
 expect 2 python3 "$maker" --build "$built"
 expect 1 python3 "$maker" --build "$built" --out "$work/page" verify_nothing

@@ -21,12 +21,17 @@ class Program:
         self.sentence = sentence_of(source)
         self.groups, self.series = {}, []
         self.code, self.seconds, self.output, self.ended, self.recorded = None, 0.0, '', False, False
+        self.extent = ''  # 'long' or 'short', where it ran
 
     def failures(self):
         return sum(g.failed for g in self.groups.values())
 
     def checks(self):
         return sum(g.count for g in self.groups.values())
+
+    def conditions(self):
+        """those of its checks that have no number"""
+        return sum(g.conditions for g in self.groups.values())
 
     def trouble(self):
         """in a few words, or nothing"""
@@ -46,12 +51,13 @@ class Group:
 
     def __init__(self, record):
         self.function, self.way, self.source = record['function'], record['way'], record['source']
-        self.count = self.failed = 0
+        self.count = self.failed = self.conditions = 0
         self.told = []
 
     def add(self, record, count, failed):
         self.count += count
         self.failed += failed
+        self.conditions += count if record['tolerance'] is None else 0
         self.told.append(record)
 
     def bare(self):
@@ -64,13 +70,16 @@ class Group:
 
 
 def share(record):
-    """error over what is allowed; -1 for a bare condition"""
+    """error over what is allowed, the least that is allowed over what there is; -1 for a bare condition"""
     error, allowed = record['error'], record['tolerance']
     if allowed is None:
         return -1.0 if record['holds'] else math.inf
+    if record['least']:
+        value, least = record['value'], record['wanted']
+        return math.inf if not record['holds'] else least / value if least > 0 and math.isfinite(value) else 0.0
     if error is None or not allowed > 0:
         return 0.0 if record['holds'] else math.inf
-    return error / allowed
+    return error / allowed if math.isfinite(error) else float(not record['holds'])
 
 
 def sentence_of(source):
@@ -96,6 +105,7 @@ def read(path, program):
             r = json.loads(line)
         except ValueError:
             raise SystemExit(f'{path}:{number}: not a record')
+        r.setdefault('least', False)
         if r['kind'] == 'series':
             key = (r['function'], r['what'], r['about'], r['slope'])
             if key not in slopes:
@@ -116,5 +126,6 @@ def belongs(record, program):
     """a check of a slope is one of an order, and says which one its series should have"""
     for s in program.series:
         if record['value'] is not None and record['function'] == s['function'] and record['value'] == s['slope']:
-            s['wanted'] = record['wanted'] or record['tolerance']
+            if not record['least']:  # a bound from below is not the order itself
+                s['wanted'] = record['wanted'] or record['tolerance']
             record['way'], record['source'] = 'order', 'theory'

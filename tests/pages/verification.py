@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Makes the verification page: runs the programs of tests/verify, each leaving the numbers that it judges (tests/record.h), and
-lays them out.  verification.py --build DIR --out DIR [--jobs N] [--again] [NAME...]; exit code 1 where a check does not hold."""
+lays them out.  verification.py --build DIR --out DIR [--jobs N] [--again] [--long] [NAME...]; exit code 1 where a check does not hold."""
 import argparse
 import concurrent.futures
 import json
@@ -15,19 +15,22 @@ import records
 from verification_page import whole
 from page_frame import ROOT, commit, versions
 
-SLOWEST_S = 900
+SLOWEST_S = {False: 900, True: 7200}
 
 
-def run(program, build, record_dir):
+def run(program, build, record_dir, whole_campaigns):
     """one test, with its record; its output is kept for the page"""
     began = time.monotonic()
     environment = dict(os.environ, STIFFAXIS_VERIFICATION=str(record_dir), STIFFAXIS_SOURCE=str(ROOT))
+    environment.pop('STIFFAXIS_LONG', None)
+    if whole_campaigns:
+        environment['STIFFAXIS_LONG'] = '1'
     try:
         done = subprocess.run([str(build / 'bin' / program.name)], cwd=build, env=environment, stdout=subprocess.PIPE,
-                              stderr=subprocess.STDOUT, timeout=SLOWEST_S, check=False)
+                              stderr=subprocess.STDOUT, timeout=SLOWEST_S[whole_campaigns], check=False)
         program.code, program.output = done.returncode, done.stdout.decode('utf-8', 'replace')
     except subprocess.TimeoutExpired:
-        program.code, program.output = -1, f'stopped after {SLOWEST_S} s'
+        program.code, program.output = -1, f'stopped after {SLOWEST_S[whole_campaigns]} s'
     except OSError as mistake:
         program.code, program.output = -1, str(mistake)
     program.seconds = time.monotonic() - began
@@ -52,7 +55,7 @@ def run_all(programs, asked, record_dir):
     if asked.again:
         runs = json.loads(told.read_text(encoding='utf-8'))
         for p in programs:
-            p.code, p.seconds, p.output = runs.get(p.name, (None, 0.0, ''))
+            p.code, p.seconds, p.output, p.extent = (*runs.get(p.name, (None, 0.0, '')), '')[:4]
         return
     if not asked.names:  # those that were not asked for keep what they have
         shutil.rmtree(record_dir, ignore_errors=True)
@@ -60,9 +63,11 @@ def run_all(programs, asked, record_dir):
     for p in programs:
         record_of(p, record_dir).unlink(missing_ok=True)
     runs = json.loads(told.read_text(encoding='utf-8')) if told.exists() else {}
+    for p in programs:
+        p.extent = 'long' if asked.long else 'short'
     with concurrent.futures.ThreadPoolExecutor(asked.jobs) as pool:
-        list(pool.map(lambda p: run(p, asked.build.resolve(), record_dir), programs))
-    runs.update({p.name: (p.code, p.seconds, p.output) for p in programs})
+        list(pool.map(lambda p: run(p, asked.build.resolve(), record_dir, asked.long), programs))
+    runs.update({p.name: (p.code, p.seconds, p.output, p.extent) for p in programs})
     told.write_text(json.dumps(runs), encoding='utf-8')
 
 
@@ -72,6 +77,7 @@ def main():
     reader.add_argument('--out', type=pathlib.Path, required=True, help='gets index.html and records/')
     reader.add_argument('--jobs', type=int, default=os.cpu_count() or 1)
     reader.add_argument('--again', action='store_true', help='from the records that are there, without running anything')
+    reader.add_argument('--long', action='store_true', help='whole campaigns, of which the tests else run a short form')
     reader.add_argument('names', nargs='*', help='only these tests')
     asked = reader.parse_args()
 
@@ -82,12 +88,16 @@ def main():
         path = record_of(program, record_dir)
         if path.exists():
             records.read(path, program)
-    (asked.out / 'index.html').write_text(whole(programs, commit(), versions(asked.build / 'bin' / 'stiffaxis')), encoding='utf-8')
+    extents = {p.extent for p in programs if p.extent}
+    extent = extents.pop() if len(extents) == 1 else 'mixed' if extents else ''
+    laid_out = whole(programs, commit(), versions(asked.build / 'bin' / 'stiffaxis'), extent)
+    (asked.out / 'index.html').write_text(laid_out, encoding='utf-8')
 
     wrong = [p for p in programs if p.failures() or p.trouble()]
     for program in wrong:
         print(f'{program.room}/{program.name}: {program.trouble() or f"{program.failures()} checks do not hold"}')
-    print(f'{sum(p.checks() for p in programs)} checks in {len(programs)} programs, '
+    checks, conditions = sum(p.checks() for p in programs), sum(p.conditions() for p in programs)
+    print(f'{checks - conditions} numbers and {conditions} conditions in {len(programs)} programs, '
           f'{sum(p.failures() for p in programs)} do not hold; {asked.out / "index.html"}')
     return 1 if wrong else 0
 

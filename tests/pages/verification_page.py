@@ -49,24 +49,30 @@ def size(r, x):
 
 
 def judged(r):
+    if r['least']:
+        return f'{number(r["value"]) or "no number"}, at least {number(r["wanted"])}'
     error, allowed = size(r, r['error']) or 'no number', size(r, r['tolerance'])
     return f'{error} of {allowed} allowed' if allowed else ('holds' if r['holds'] else 'does not hold')
 
 
 def rows(group):
     """what fails first, then what is nearest to its bound; the rest is counted"""
-    ranked = sorted(group.told, key=lambda r: (r['holds'], -records.share(r)))
+    ranked = sorted((r for r in group.told if r['tolerance'] is not None or not r['holds']),
+                    key=lambda r: (r['holds'], -records.share(r)))
     shown = [r for k, r in enumerate(ranked) if k < TOLD or not r['holds']]
     lines = []
     for r in shown:
         of = f' <small>the worst of {r["count"]}</small>' if r.get('count', 1) > 1 else ''
         name = f'<b>{text(r["about"])}</b> ' if r['about'] else ''
+        errors = '<td></td><td></td>' if r['least'] else f'<td>{size(r, r["error"])}</td><td>{size(r, r["tolerance"])}</td>'
         verdict = '<span class="good">yes</span>' if r['holds'] else '<span class="bad">no</span>'
         lines.append(f'<tr><td class="text">{name}<code>{text(r["what"])}</code>{of}</td><td>{digits(r["value"])}</td>'
-                     f'<td>{digits(r["wanted"])}</td><td>{size(r, r["error"])}</td><td>{size(r, r["tolerance"])}</td><td>{verdict}</td>'
+                     f'<td>{"≥ " if r["least"] else ""}{digits(r["wanted"])}</td>{errors}<td>{verdict}</td>'
                      f'<td class="text"><small>{text(r["file"])}:{r["line"]:g}</small></td></tr>')
-    left = group.count - sum(r.get('count', 1) for r in shown)
+    left = group.count - group.conditions - sum(r.get('count', 1) for r in shown if r['tolerance'] is not None)
     more = f'<p><small>and {left} more, nearer to what is wanted; all of them stand in records/</small></p>' if left > 0 else ''
+    held = sum(r['count'] for r in group.told if r['tolerance'] is None and r['holds'])
+    more += f'<p><small>and {held} conditions without a number hold</small></p>' if held else ''
     return ('<div class="scroll"><table><thead><tr><th>what</th><th>computed</th><th>wanted</th><th>error</th><th>allowed</th>'
             f'<th>holds</th><th class="text">where</th></tr></thead><tbody>{"".join(lines)}</tbody></table>{more}</div>')
 
@@ -170,17 +176,30 @@ def rooms(programs):
     return [r for r in records.ROOMS if r in there] + sorted(there - set(records.ROOMS))
 
 
-def whole(programs, commit, versions):
+# how much of their campaigns the programs ran
+EXTENT = {'short': 'The tests ran in the short form that <code>./run check</code> runs too: campaigns and random trials with a part of '
+                   'their numbers. <code>./run verification --long</code> runs them whole.',
+          'long': 'The tests ran whole, with all numbers of their campaigns (<code>--long</code>).',
+          'mixed': 'Some of the tests ran in the short form that <code>./run check</code> runs too, others whole '
+                   '(<code>--long</code>).'}
+
+
+def whole(programs, commit, versions, extent=''):
     failed = sum(p.failures() for p in programs)
     troubled = sum(1 for p in programs if p.trouble())
     series = sum(len(p.series) for p in programs)
     unsaid = sorted({p.name for p in programs for g in p.groups.values() if not g.way})
-    body = headline([('Checks', sum(p.checks() for p in programs), ''), ('That do not hold', failed, ''),
+    checks, conditions = sum(p.checks() for p in programs), sum(p.conditions() for p in programs)
+    body = headline([('Numbers judged', checks - conditions, ''), ('Conditions without a number', conditions, ''),
+                     ('That do not hold', failed, ''),
                      ('Programs', len(programs), f'{troubled} in trouble' if troubled else 'all came to their end'),
                      ('Convergence series', series, ''), ('Commit', commit[0], commit[1])])
     body += ('<p>Every number here was left by a test of <code>tests/verify</code> in the act of judging it; a test that fails makes '
-             'this page say so. A row is all checks of one function, told by the worst of them; open it for the others. Errors are '
-             'relative where what is wanted is not 0. The bar is the error over what is allowed, over six decades.</p>\n')
+             'this page say so. What a test judges without a number (a verdict, a count, that two answers are the same) is a '
+             'condition: counted apart, and not shown one by one while it holds. A row is all checks of one function, told by the '
+             'worst of them; open it for the others. Errors are relative where what is wanted is not 0. The bar is the error over '
+             'what is allowed, over six decades; where a number has only a least, the least over the number.</p>\n')
+    body += f'<p class="note">{EXTENT[extent]}</p>\n' if extent in EXTENT else ''
     if unsaid:
         body += f'<p class="note warn">These do not say what they are held against: {text(", ".join(unsaid))}</p>\n'
     body += overview(programs)

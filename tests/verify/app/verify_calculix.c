@@ -53,7 +53,8 @@ static void a_tube_without_contraction_has_its_closed_form(int kind, bool cap)
     CHECK_NEAR(motion[1].a[4], 1e-3 * LENGTH / (soft.E * I), 1e-4);
     CHECK_NEAR(motion[1].a[0], 1e-3 * LENGTH * LENGTH / 2 / (soft.E * I), 1e-4);
     CHECK_NEAR(motion[2].a[5], 1e-3 * LENGTH / (soft.E / 2 * 2 * I), 2e-4);
-    CHECK(fabs(motion[0].a[0]) < 1e-5 * motion[0].a[2] && cpu > 0);
+    CHECK_BELOW(fabs(motion[0].a[0]), 1e-5 * motion[0].a[2]);
+    CHECK_ABOVE(cpu, 0);
     body_free(&b);
     mesh_free(&plane);
 }
@@ -102,7 +103,8 @@ static void fig4_nears_the_reference(void)
         body_free(&b);
         mesh_free(&plane);
     }
-    CHECK(error[0] < 1e-2 && error[1] < error[0] / 1.5);
+    CHECK_BELOW(error[0], 1e-2);
+    CHECK_BELOW(error[1], error[0] / 1.5);
 }
 
 static void what_it_has_no_elements_for_is_refused(void)

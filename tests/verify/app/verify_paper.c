@@ -47,9 +47,10 @@ static void fig_7_bends_by_226_and_58_degrees(int noverride)
     CHECK_WITHIN(degrees * stiff->total_bend_rad, 58, 0.5);
     // in the plane of symmetry, to opposite sides
     CHECK_WITHIN(soft->tip.p.a[1], 0, 1e-12);
-    CHECK(r.rod.run[0].tip.p.a[0] > 0 && stiff->tip.p.a[0] < 0);
+    CHECK_ABOVE(r.rod.run[0].tip.p.a[0], 0);
+    CHECK_BELOW(stiff->tip.p.a[0], 0);
     // beyond the 5 % up to which the materials are close to linear
-    CHECK(soft->largest_strain > 0.05);
+    CHECK_ABOVE(soft->largest_strain, 0.05);
     done(&c, &r);
 }
 
@@ -83,7 +84,7 @@ static void fig_8_is_nearly_straight_in_the_middle(void)
     CHECK_WITHIN(run->s[least] / r.rod_length, 0.5, 0.05);
     // after the base, where the component is 0 by symmetry, it changes sign once
     const double step = r.rod_length / (n - 1);
-    CHECK(changes >= 1);
+    CHECK_AT_LEAST(changes, 1);
     CHECK_WITHIN(change_at, 0.5 * r.rod_length, step);
     done(&c, &r);
 }
@@ -110,7 +111,7 @@ static void fig_4_bends_at_gc_and_compresses_at_nc(void)
     const beam_centres *centres = &r.section.station[0].centres;
     CHECK_NEAR(centres->EI[1] / centres->EA, 5.83e-6, 1e-3);
     // and every way to each number agrees
-    CHECK(r.ncompare > 10);
+    CHECK_ABOVE(r.ncompare, 10);
     CHECK_OK(compare_verdict(&r));
     done(&c, &r);
 }
@@ -179,12 +180,13 @@ static void run_frames(const char *name, int noverride, const char *const *overr
 static void frames_agree(const run_result r[2])
 {
     double apart = 0;
-    CHECK(r[0].rod.nsolution > 0 && r[0].rod.nsolution == r[1].rod.nsolution);
+    CHECK_ABOVE(r[0].rod.nsolution, 0);
+    CHECK(r[0].rod.nsolution == r[1].rod.nsolution);
     for (int i = 0; i < r[0].rod.nsolution; i++) {
         apart = fmax(apart, distance(r[0].rod.run[i].tip.p, r[1].rod.run[i].tip.p));
     }
     printf("%d tips, GC and NC %.1e m apart\n", r[0].rod.nsolution, apart);
-    CHECK(apart <= 1e-12);
+    CHECK_AT_MOST(apart, 1e-12);
 }
 
 static void tips_of_the_paper_model(const char *name)
@@ -223,7 +225,8 @@ static void frames_agree_where_moments_cross(const char *model)
     const section_result *section = &r[1].section;
     const beam_centres *base = &section->station[0].centres;
     const beam_centres *tip = &section->station[section->nstation - 1].centres;
-    CHECK(base->EI[0] > base->EI[1] && tip->EI[0] < tip->EI[1]);
+    CHECK_ABOVE(base->EI[0], base->EI[1]);
+    CHECK_BELOW(tip->EI[0], tip->EI[1]);
     frames_agree(r);
     for (int k = 0; k < 2; k++) {
         done(&c[k], &r[k]);

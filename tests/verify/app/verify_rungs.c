@@ -108,8 +108,9 @@ static void rungs_leave_what_they_are_made_for(const double *value, int n, doubl
                                                value + (k > 1 ? k - 2 : 0)) /
                             exact;
         printf("rung %d: off by %.1e, estimate %.1e\n", k, error, told);
-        CHECK(value[k] < exact);
-        CHECK(told >= error && told < 10 * error);
+        CHECK_BELOW(value[k], exact);
+        CHECK_AT_LEAST(told, error);
+        CHECK_BELOW(told, 10 * error);
     }
     CHECK_BELOW(fabs(value[3] / exact - 1), 1e-5);
 }
@@ -123,7 +124,8 @@ static void free_meshes_climb_as_well(double exact)
         error[k] = fabs(s.stretch / exact - 1);
         tell("free", 2 * k, s, exact);
     }
-    CHECK(error[0] < 2e-3 && error[1] < 1e-4);
+    CHECK_BELOW(error[0], 2e-3);
+    CHECK_BELOW(error[1], 1e-4);
 }
 
 int main(void)

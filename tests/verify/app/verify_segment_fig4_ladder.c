@@ -62,15 +62,20 @@ static double at_load(const segment_load_result *l)
 // every mesh is kept with what it took, ever larger, and is nearer to the last one
 static void steps_are_kept(const segment_result *r)
 {
-    CHECK(r->rungs >= 2 && r->rungs <= SEGMENT_MOST_STEPS);
+    CHECK_AT_LEAST(r->rungs, 2);
+    CHECK_AT_MOST(r->rungs, SEGMENT_MOST_STEPS);
     double seconds = 0;
     for (int i = 0; i < r->rungs; i++) {
         seconds += r->step[i].seconds;
-        CHECK(i == 0 || r->step[i].dofs > r->step[i - 1].dofs);
-        CHECK(i == 0 || segment_step_error(r, i) < segment_step_error(r, i - 1));
+        if (i != 0) {
+            CHECK_ABOVE(r->step[i].dofs, r->step[i - 1].dofs);
+        }
+        if (i != 0) {
+            CHECK_BELOW(segment_step_error(r, i), segment_step_error(r, i - 1));
+        }
     }
     CHECK((long long)r->step[r->rungs - 1].dofs == r->dofs);
-    CHECK(segment_step_error(r, r->rungs - 1) == r->relative_error);
+    CHECK_WITHIN(segment_step_error(r, r->rungs - 1), r->relative_error, 0);
     CHECK_NEAR(seconds, r->assemble_seconds + r->factor_seconds + r->solve_seconds, 1e-12);
 }
 

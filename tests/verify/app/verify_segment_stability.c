@@ -8,7 +8,8 @@ int main(void)
             "each line of docs/segment_stability.md against a finer segment of its own");
     const stress_count n = stress_all(true, NULL);
     printf("%d lines: %d refused, %d outside their estimate\n", n.rows, n.refused, n.outside);
-    CHECK(n.rows >= 7 && n.outside == 0);
-    CHECK(2 * n.refused < n.rows);
+    CHECK_AT_LEAST(n.rows, 7);
+    CHECK(n.outside == 0);
+    CHECK_BELOW(2 * n.refused, n.rows);
     return test_failures != 0;
 }

@@ -208,7 +208,7 @@ static void intervals_hold(const bench *b)
            sqrt(error[1]));
     for (int i = 0; i < 2; i++) {
         // 85 and 80 %: fewer in 2 and 1 of 100 such tests at 95 %
-        CHECK(inside[i] >= (test_is_long() ? 17 : 8));
+        CHECK_AT_LEAST(inside[i], (test_is_long() ? 17 : 8));
         CHECK_BELOW(error[i], 4 * spread[i]); // not by width
     }
 }
@@ -260,7 +260,7 @@ static void scan_cloud(const bench *b, int k, unsigned long seed, double *off)
     options.direction = (vec3){{0, 0, 1}};
     options.base_is_plane = true;
     CHECK_OK(tube_centreline(&cloud, &options, &line, &report));
-    CHECK(line.count > 10);
+    CHECK_ABOVE(line.count, 10);
     *off = fabs(report.length - made->length);
     if (line.count > 10) {
         write_line(b, k, &line);
@@ -289,7 +289,8 @@ static void clouds_give_both_numbers(const bench *b)
         CHECK_NEAR(o.value[0], true_radius, 0.02);
         CHECK_NEAR(o.value[1], true_friction, 0.05);
     }
-    CHECK(inside + 1 >= 2 * (int)seeds); // of ten two outside: in 9 of 100 such tests at 95 %
+    CHECK_AT_LEAST(inside + 1,
+                   2 * (int)seeds); // of ten two outside: in 9 of 100 such tests at 95 %
 }
 
 int main(void)

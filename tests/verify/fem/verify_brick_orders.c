@@ -211,8 +211,8 @@ static void check_orders(const family *f, int order)
     const double two = observed_order(MESHES, h, l2), one = observed_order(MESHES, h, energy);
     printf("%-28s p = %d: L2 %.2e %.2e order %.2f; energy %.2e %.2e order %.2f\n", f->name, order,
            l2[0], l2[1], two, energy[0], energy[1], one);
-    CHECK(two > order + 1 - 0.25);
-    CHECK(one > order - 0.25);
+    CHECK_ABOVE(two, order + 1 - 0.25);
+    CHECK_ABOVE(one, order - 0.25);
 }
 
 int main(void)

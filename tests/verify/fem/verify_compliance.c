@@ -76,8 +76,9 @@ static double check_compliance(int order, const segment_result *r)
     printf("order %d: %6lld dofs, compliance to %.2e, estimate %.2e, residual %.1e\n", order,
            r->dofs, error, r->relative_error, r->residual);
     CHECK_WITHIN(error, 0, COMPLIANCE[order]);
-    CHECK(error <= r->relative_error + REFERENCE_ERROR);
-    CHECK(r->residual > 0 && r->residual < 1e-13);
+    CHECK_AT_MOST(error, r->relative_error + REFERENCE_ERROR);
+    CHECK_ABOVE(r->residual, 0);
+    CHECK_BELOW(r->residual, 1e-13);
     return error;
 }
 
@@ -88,7 +89,7 @@ static void check_law(int order, const segment_result *r, const beam_law *law)
     printf("order %d: law to %.2e, estimate %.2e; this segment's own middle %.2e off\n", order,
            error, law->relative_error, own);
     CHECK_WITHIN(error, 0, LAW[order]);
-    CHECK(error <= law->relative_error);
+    CHECK_AT_MOST(error, law->relative_error);
     // 20 mm are five radii: the ends reach the middle in torsion and shear, not in stretch and
     // bending
     if (order > 2) {

@@ -92,7 +92,9 @@ static double radial_motion(const way_run *run, const body *b, int column, doubl
             }
         }
     }
-    CHECK(count == 0 || worst <= 1e-5 * fabs(sum / count)); // round, the same on all levels
+    if (count != 0) {
+        CHECK_AT_MOST(worst, 1e-5 * fabs(sum / count)); // round, the same on all levels
+    }
     return count ? sum / count : NAN;
 }
 
@@ -141,8 +143,12 @@ static void tube_on_a_foundation(void)
         printf("tube, column %d: u_r %.9g and %.9g um, closed form %.9g and %.9g\n", j, 1e6 * in,
                1e6 * out, 1e6 * want_in, 1e6 * want_out);
         // a rank without levels has nothing to compare; degree 4 on 12 arcs: 1e-7
-        CHECK(isnan(in) || fabs(in / want_in - 1) < 1e-6);
-        CHECK(isnan(out) || fabs(out / want_out - 1) < 1e-6);
+        if (!isnan(in)) {
+            CHECK_BELOW(fabs(in / want_in - 1), 1e-6);
+        }
+        if (!isnan(out)) {
+            CHECK_BELOW(fabs(out / want_out - 1), 1e-6);
+        }
     }
     // works: the pressure on its own motion, the end's force on its way; what springs and walls
     // answer to an end that is moved does no work on motions of an end that is not
@@ -202,7 +208,9 @@ static void column_under_its_weight(void)
         for (int i = 0; i < 6; i++) {
             const double acts = run.applied[9 * n - 1].a[i];
             same = vec6_add(same, vec6_scale(acts, run.motion[i * n + k]));
-            CHECK(i >= 3 || fabs(acts - force[i]) < 1e-12);
+            if (i < 3) {
+                CHECK_BELOW(fabs(acts - force[i]), 1e-12);
+            }
         }
         for (int i = 0; i < 6; i++) {
             CHECK_WITHIN(run.motion[8 * n + k].a[i], same.a[i], 1e-9 * (i < 3 ? L : 1));

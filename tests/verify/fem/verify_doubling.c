@@ -216,7 +216,7 @@ static void direct_solution_of_the_same_mesh_agrees(void)
                order, base, tip, rate[k / 4], c, e, apart / most);
         CHECK_WITHIN(c, 0, 1e-9);
         CHECK_WITHIN(e, 0, 1e-9);
-        CHECK(most > 0);
+        CHECK_ABOVE(most, 0);
         CHECK_WITHIN(apart / most, 0, 1e-9);
         way_run_free(&other);
         prism_free(&p);
@@ -293,7 +293,7 @@ static void uniform_tips_agree_with_the_direct_way(void)
     }
     printf("uniform tips: work against direct %.1e of %.1f\n", apart, of);
     CHECK_WITHIN(apart, 0, 1e-9);
-    CHECK(of > 0.5);
+    CHECK_ABOVE(of, 0.5);
     way_run_free(&other);
     prism_free(&p);
 }

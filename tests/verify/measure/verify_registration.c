@@ -211,7 +211,7 @@ static void plate_is_found_as_well_as_told(void)
         const plane_options o = {
             .near = {{NAN, 0, 0}}, .reach = INFINITY, .noise = 2e-4, .seed = (unsigned)trial + 1};
         CHECK_OK(plane_find(&c, &o, &p));
-        CHECK(p.count > 0.95 * ON_PLATE);
+        CHECK_ABOVE((double)p.count, 0.95 * ON_PLATE);
         CHECK_NEAR(p.sigma, noise, 0.1); // of 3000 points, some of the body's foot
         const double told =
             p.sigma * p.sigma / (double)p.count * (pow(p.spread[0], -2) + pow(p.spread[1], -2));

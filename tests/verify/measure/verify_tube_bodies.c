@@ -25,7 +25,8 @@ static void a_taper_is_followed(const made_line *line)
         status_clear();
         if (t.st == OK) {
             printf("    taper %.4f +- %.4f mm\n", 1e3 * t.report.taper, 1e3 * t.report.taper_sigma);
-            CHECK(t.rms < 0.03e-3 && t.tip < 0.1e-3);
+            CHECK_BELOW(t.rms, 0.03e-3);
+            CHECK_BELOW(t.tip, 0.1e-3);
             CHECK_BELOW(fabs(t.report.length - line->length), 4 * t.report.length_sigma + 0.02e-3);
             CHECK_BELOW(fabs(t.report.taper - scan.taper),
                         fmax(6 * t.report.taper_sigma, 0.02 * fabs(scan.taper)));

@@ -147,7 +147,8 @@ static void the_tube_at_the_base_is_taken(const made_line *line)
         trial_compare(line, &t);
     }
     trial_print("two tubes, the base known", &t);
-    CHECK(t.rms < 0.03e-3 && t.tip < 0.1e-3);
+    CHECK_BELOW(t.rms, 0.03e-3);
+    CHECK_BELOW(t.tip, 0.1e-3);
     trial_free(&t);
     point_cloud_free(&one);
     point_cloud_free(&two);

@@ -74,15 +74,20 @@ static void repeats_scatter_as_stated(const char *name, const made_line *line, m
     for (int k = 0; k < PLACES; k++) {
         printf("%8.1f %12.2f %10.2f %12.3f\n", line->length * (k + 0.5) / PLACES * 1e3,
                sqrt(sum.error[k]) * 1e6, sum.sigma[k] * 1e6, sum.square[k]);
-        CHECK(sum.square[k] > least && sum.square[k] < most);
+        CHECK_ABOVE(sum.square[k], least);
+        CHECK_BELOW(sum.square[k], most);
         mean += sum.square[k] / PLACES;
     }
     printf("all %.3f, radius %.3f, length %.3f (bias %.2f), correlation %.2f after %.2f mm\n", mean,
            sum.radius, sum.length, sum.bias, sum.neighbours, sum.correlation_length * 1e3);
-    CHECK(sum.neighbours > 0.1 && sum.neighbours < 0.6); // stated: 1/e = 0.37
-    CHECK(mean > least_mean && mean < most_mean);
-    CHECK(sum.radius > 0.5 && sum.radius < 1.7);
-    CHECK(sum.length > 0.4 && sum.length < 2.5);
+    CHECK_ABOVE(sum.neighbours, 0.1);
+    CHECK_BELOW(sum.neighbours, 0.6); // stated: 1/e = 0.37
+    CHECK_ABOVE(mean, least_mean);
+    CHECK_BELOW(mean, most_mean);
+    CHECK_ABOVE(sum.radius, 0.5);
+    CHECK_BELOW(sum.radius, 1.7);
+    CHECK_ABOVE(sum.length, 0.4);
+    CHECK_BELOW(sum.length, 2.5);
     CHECK_BELOW(fabs(sum.bias), 0.8);
 }
 

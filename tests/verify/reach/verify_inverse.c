@@ -112,10 +112,10 @@ static void reached(const char *name, asked *a)
         name, a->size->targets - missed, a->size->targets, worst, poses / (double)a->size->targets,
         own);
     CHECK(missed == 0);
-    CHECK(worst <= reached_again);
+    CHECK_AT_MOST(worst, reached_again);
     if (s->njoint == 3) {
         // all solutions: the one that made the target too, but where two of them merge
-        CHECK(own >= a->size->targets - 5);
+        CHECK_AT_LEAST(own, a->size->targets - 5);
     }
 }
 
@@ -180,7 +180,7 @@ static void refused(const char *name, asked *a)
         wrong += out.limit == INVERSE_NO_LIMIT;
         CHECK(scope_within(s, out.nearest.q));
         // the scan of the extent is short by a little
-        CHECK(out.nearest.miss >= by - margin / 10);
+        CHECK_AT_LEAST(out.nearest.miss, by - margin / 10);
         least = fmin(least, out.nearest.miss - by);
     }
     printf("%-24s %d of %d unreachable ones refused, farther than made by %.1e m at least\n", name,
@@ -217,7 +217,9 @@ static void refused_by_turn(const char *name, asked *a)
     }
     printf("%-24s %d of %d behind the turn's limits refused, %d by a joint's limit\n", name,
            asked_for - accepted, asked_for, named);
-    CHECK(asked_for > a->size->targets / 5 && accepted == 0 && named > asked_for / 2);
+    CHECK_ABOVE(asked_for, a->size->targets / 5);
+    CHECK(accepted == 0);
+    CHECK_ABOVE(named, asked_for / 2);
 }
 
 static void whole(const char *name, asked *a)
@@ -257,7 +259,8 @@ static void closed_form_is_the_dense_search(const campaign *size)
     printf(
         "%-24s %d of %d reachable, distances within %.1e m of the dense search, %d counts equal\n",
         "constant curvature", reachable, n, worst, counts);
-    CHECK(reachable > 0.3 * n && reachable < 0.9 * n);
+    CHECK_ABOVE(reachable, 0.3 * n);
+    CHECK_BELOW(reachable, 0.9 * n);
     CHECK_BELOW(worst, 1e-7); // the nearest of those out of reach is found on the cubics
     CHECK(counts == n);
     answered(&a);

@@ -88,9 +88,10 @@ static void map(const char *name, study *s, const room_probe *room)
             double at;
             CHECK(scope_within(&s->m.scope, s->q[k]));
             CHECK_OK(scope_bend(s->state, s->q[k]));
-            CHECK(distance(scope_point(s->state, s->q[k], s->m.scope.length), point_at(s, k)) <=
-                  near_enough);
-            CHECK(room->at(room->context, s->state, s->q[k], &at) >= 0);
+            CHECK_AT_MOST(
+                distance(scope_point(s->state, s->q[k], s->m.scope.length), point_at(s, k)),
+                near_enough);
+            CHECK_AT_LEAST(room->at(room->context, s->state, s->q[k], &at), 0);
         }
     }
     printf("%-28s %d reached, %d not, %d undecided, %d looks\n", name, s->count[1], s->count[0],
@@ -116,12 +117,19 @@ static void free_space_is_the_inverse(study *s)
         inverse_answer a;
         CHECK_OK(inverse_solve(s->inverse, s->state, point_at(s, k), &a));
         const double beyond = a.nearest.miss - near_enough;
-        CHECK(s->found[k] != 0 || beyond > 0);
-        CHECK(s->found[k] != 1 || beyond <= 1e-9);
-        CHECK(s->found[k] != 2 || fabs(beyond) < s->options.resolution);
+        if (s->found[k] == 0) {
+            CHECK_ABOVE(beyond, 0);
+        }
+        if (s->found[k] == 1) {
+            CHECK_AT_MOST(beyond, 1e-9);
+        }
+        if (s->found[k] == 2) {
+            CHECK_BELOW(fabs(beyond), s->options.resolution);
+        }
     }
-    CHECK(s->count[0] > s->npoint / 10 && s->count[1] > s->npoint / 10);
-    CHECK(s->count[2] <= POINTS / 20);
+    CHECK_ABOVE(s->count[0], s->npoint / 10);
+    CHECK_ABOVE(s->count[1], s->npoint / 10);
+    CHECK_AT_MOST(s->count[2], POINTS / 20);
 }
 
 // in a ball of tissue: each point searched for on its own
@@ -142,8 +150,9 @@ static void tissue_is_the_search(study *s)
         // what is not decided has little room, or little to spare of the way
         CHECK(s->found[k] != 2 || !(a.verdict == SEARCH_REACHED && a.room > 5e-4));
     }
-    CHECK(s->count[0] > s->npoint / 20 && s->count[1] > s->npoint / 20);
-    CHECK(open <= s->npoint / 10);
+    CHECK_ABOVE(s->count[0], s->npoint / 20);
+    CHECK_ABOVE(s->count[1], s->npoint / 20);
+    CHECK_AT_MOST(open, s->npoint / 10);
 }
 
 // no free pose comes near what is proved not to be reached
@@ -165,7 +174,8 @@ static void random_poses_agree(study *s, int n)
     }
     printf("%-28s %d random poses, a tenth of which %d free ones, none near what is not reached\n",
            "", n, free_poses);
-    CHECK(wrong == 0 && free_poses > 0);
+    CHECK(wrong == 0);
+    CHECK_ABOVE(free_poses, 0);
 }
 
 // equally many per area, and the same for the same seed
@@ -184,7 +194,7 @@ static void samples_are_spread(study *s)
         octant[(p.a[0] > 2e-3) + 2 * (p.a[1] > 1e-3) + 4 * (p.a[2] > 38e-3)]++;
     }
     for (int i = 0; i < 8; i++) {
-        CHECK(abs(octant[i] - POINTS / 8) <= 2);
+        CHECK_AT_MOST(abs(octant[i] - POINTS / 8), 2);
     }
     CHECK(surface_samples(&s->wall, -1, 4, again) == ERR_INPUT);
     status_clear();
@@ -214,7 +224,7 @@ static void stops_and_refuses(study *s)
     // few looks: nothing is wrong, much is not known
     s->options.most_looks = 2000;
     map("few looks", s, &s->room);
-    CHECK(s->count[2] > POINTS / 20);
+    CHECK_ABOVE(s->count[2], POINTS / 20);
     random_poses_agree(s, 2000);
 }
 

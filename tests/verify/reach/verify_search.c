@@ -125,9 +125,10 @@ static search_answer answer(toy_search *t, vec3 target)
         double at = 0;
         CHECK(scope_within(t->scope, a.pose.q));
         CHECK_OK(scope_bend(t->state, a.pose.q));
-        CHECK(distance(scope_point(t->state, a.pose.q, t->scope->length), target) <=
-              t->options.tolerance * (1 + 1e-9));
-        CHECK(toy_room(&t->toy, t->state, a.pose.q, &at) == a.room && at == a.s);
+        CHECK_AT_MOST(distance(scope_point(t->state, a.pose.q, t->scope->length), target),
+                      t->options.tolerance * (1 + 1e-9));
+        CHECK_WITHIN(toy_room(&t->toy, t->state, a.pose.q, &at), a.room, 0);
+        CHECK_WITHIN(at, a.s, 0);
         CHECK((a.room >= 0) == (a.verdict == SEARCH_REACHED));
     }
     return a;
@@ -160,13 +161,14 @@ static void against_dense(const char *name, toy_search *t, const campaign *size)
             away++;
             CHECK(dense == -INFINITY);
         }
-        CHECK(dense <= a.bound + 1e-12);
+        CHECK_AT_MOST(dense, a.bound + 1e-12);
         CHECK(!(dense >= 0) || a.verdict == SEARCH_REACHED);
     }
     printf("%-28s %d reached, %d touch (%d of them undecided within the resolution), %d out of "
            "reach, %.0f looks each\n",
            name, reached, touched, open, away, (double)looks / size->targets);
-    CHECK(reached > 0 && touched > 0);
+    CHECK_ABOVE(reached, 0);
+    CHECK_ABOVE(touched, 0);
 }
 
 // --- closed forms
@@ -186,11 +188,17 @@ static void tube_has_its_closed_form(toy_search *t)
             CHECK(a.verdict == (most > 0 ? SEARCH_REACHED : SEARCH_COLLISION));
             both[most > 0]++;
         }
-        CHECK(a.room <= most + 1e-9 && a.bound >= most - 1e-9);
-        CHECK(most > 0 || a.bound < few * t->options.resolution);
-        CHECK(a.verdict != SEARCH_COLLISION || a.s > 0.9 * s->length);
+        CHECK_AT_MOST(a.room, most + 1e-9);
+        CHECK_AT_LEAST(a.bound, most - 1e-9);
+        if (!(most > 0)) {
+            CHECK_BELOW(a.bound, few * t->options.resolution);
+        }
+        if (a.verdict == SEARCH_COLLISION) {
+            CHECK_ABOVE(a.s, 0.9 * s->length);
+        }
     }
-    CHECK(both[0] > 5 && both[1] > 5);
+    CHECK_ABOVE(both[0], 5);
+    CHECK_ABOVE(both[1], 5);
 }
 
 // Under a slab at z = h, bent by less than a right angle, the tip is the highest point: the most
@@ -207,9 +215,11 @@ static void slab_has_its_closed_form(toy_search *t)
             CHECK(a.verdict == (most > 0 ? SEARCH_REACHED : SEARCH_COLLISION));
             both[most > 0]++;
         }
-        CHECK(a.room <= most + 1e-9 && a.bound >= most - 1e-9);
+        CHECK_AT_MOST(a.room, most + 1e-9);
+        CHECK_AT_LEAST(a.bound, most - 1e-9);
     }
-    CHECK(both[0] > 5 && both[1] > 5);
+    CHECK_ABOVE(both[0], 5);
+    CHECK_ABOVE(both[1], 5);
 }
 
 // A ball on the line that the shaft cannot pass: free iff the base stays before it
@@ -223,17 +233,22 @@ static void reasons_are_named(toy_search *t)
     a = answer(t, (vec3){{0.006, 0, 0.15}});
     CHECK(a.verdict == SEARCH_JOINT_LIMIT && a.joint == SCOPE_INSERTION);
     a = answer(t, (vec3){{0.006, 0, 0.05}});
-    CHECK(a.verdict == SEARCH_REACHED && a.bound >= a.room);
+    CHECK(a.verdict == SEARCH_REACHED);
+    CHECK_AT_LEAST(a.bound, a.room);
     // the shaft is where it touches
     t->toy = (toy){out_of_ball, {{0, 0, 0.03}}, 3e-3};
     a = answer(t, (vec3){{0.006, 0, 0.09}});
-    CHECK(a.verdict == SEARCH_COLLISION && a.s < 0 && a.bound < 0);
+    CHECK(a.verdict == SEARCH_COLLISION);
+    CHECK_BELOW(a.s, 0);
+    CHECK_BELOW(a.bound, 0);
     // its points are 4 mm apart: one is within 2 mm of the centre
-    CHECK(a.room < -1.9e-3 && a.room > -4.1e-3);
+    CHECK_BELOW(a.room, -1.9e-3);
+    CHECK_ABOVE(a.room, -4.1e-3);
     // the tip itself is inside
     t->toy = (toy){out_of_ball, {{0.006, 0, 0.09}}, 3e-3};
     a = answer(t, (vec3){{0.006, 0, 0.09}});
-    CHECK(a.verdict == SEARCH_COLLISION && a.bound < 0);
+    CHECK(a.verdict == SEARCH_COLLISION);
+    CHECK_BELOW(a.bound, 0);
     // the tip goes as far out of the ball as the tolerance lets it
     CHECK_WITHIN(a.room, t->options.tolerance - 4e-3, 3e-4);
     search_options wrong = t->options;
@@ -263,10 +278,12 @@ static void more_joints(void)
         }
     }
     printf("%-28s %d of %d free targets reached\n", "neuro, 2 tendons, ball", reached, made);
-    CHECK(made > 20 && reached == made);
+    CHECK_ABOVE(made, 20);
+    CHECK(reached == made);
     // no pose holds its tip out of the ball
     const search_answer a = answer(&t, (vec3){{4e-3, 0, 0.07}});
-    CHECK(a.verdict == SEARCH_COLLISION && a.bound == INFINITY && a.starts > 0);
+    CHECK(a.verdict == SEARCH_COLLISION && a.bound == INFINITY);
+    CHECK_ABOVE(a.starts, 0);
     stop(&t);
     free_scope(&m);
 }

@@ -100,17 +100,18 @@ static void find(study *s, const double *goal)
 {
     way_answer *a = &s->answer;
     CHECK_OK(way_find(s->state, &s->room, goal, 0, resolution, LOOKS, a));
-    CHECK(a->looks > 0 && a->looks <= LOOKS + 100);
+    CHECK_ABOVE(a->looks, 0);
+    CHECK_AT_MOST(a->looks, LOOKS + 100);
     if (!a->found) {
         CHECK(a->npose == 0);
         return;
     }
     const int n = s->m.scope.njoint;
     const double dense = dense_room(s);
-    CHECK(dense >= a->room - 1e-9);
-    CHECK(a->room >= -resolution / 2);
+    CHECK_AT_LEAST(dense, a->room - 1e-9);
+    CHECK_AT_LEAST(a->room, -resolution / 2);
     for (int j = 0; j < n; j++) {
-        CHECK(a->q[a->npose - 1][j] == goal[j]);
+        CHECK_WITHIN(a->q[a->npose - 1][j], goal[j], 0);
         CHECK(a->q[0][j] == s->m.scope.low[j] || j == SCOPE_TURN);
     }
 }
@@ -124,18 +125,20 @@ static void bends_while_it_goes_in(study *s)
     find(s, goal);
     CHECK(s->answer.found && s->answer.straight);
     // nothing is near: what is left of the room is exact but for the body's motion between poses
-    CHECK(s->answer.room > 1 - 0.06 - length - radius - 0.02);
+    CHECK_ABOVE(s->answer.room, 1 - 0.06 - length - radius - 0.02);
     s->toy.ceiling = 0.06 + 0.8 * length;
     find(s, goal);
     CHECK(s->answer.found && !s->answer.straight);
     // no way is wider than its end is
-    CHECK(s->answer.room <= s->toy.ceiling - radius - (0.06 + length / (PROTOTYPE_PI / 2)) + 1e-9);
+    CHECK_AT_MOST(s->answer.room,
+                  s->toy.ceiling - radius - (0.06 + length / (PROTOTYPE_PI / 2)) + 1e-9);
     printf("under a ceiling: %d poses, %d looks, room %.2g mm\n", s->answer.npose, s->answer.looks,
            1e3 * s->answer.room);
     // the tip does not come to the begin
     s->toy.ceiling = 0.9 * length;
     find(s, goal);
-    CHECK(!s->answer.found && s->answer.room < 0);
+    CHECK(!s->answer.found);
+    CHECK_BELOW(s->answer.room, 0);
 }
 
 // a ring bars the plane in which the tip bends: it has to come in from the side
@@ -185,7 +188,8 @@ static void among_balls(const char *name, study *s, int n)
         none += !s->answer.found;
     }
     printf("%-22s %d straight in, %d round, %d none\n", name, straight, round, none);
-    CHECK(straight > 0 && round > 0);
+    CHECK_ABOVE(straight, 0);
+    CHECK_ABOVE(round, 0);
 }
 
 int main(void)

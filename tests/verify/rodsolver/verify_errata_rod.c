@@ -50,7 +50,7 @@ static void equation_17_needs_its_r(void)
     const vec3 wanted = {{-last - first, 0, 120}}; // the pattern has turned by pi
     const pose right = unloaded_backbone(false), printed = unloaded_backbone(true);
     CHECK_WITHIN(distance(right.p, wanted), 0, 1e-10);
-    CHECK(distance(printed.p, wanted) > 0.1); // mm
+    CHECK_ABOVE(distance(printed.p, wanted), 0.1); // mm
     printf("Eq. 17: end of the unloaded backbone off by %.1e mm, as printed by %.3f mm\n",
            distance(right.p, wanted), distance(printed.p, wanted));
 }
@@ -71,7 +71,7 @@ static void law_along_gives_the_right_form(void)
         CHECK_WITHIN(c * f.dp[0] + z * f.dp[1], wanted.a[0], 1e-10);
         CHECK_WITHIN(-z * f.dp[0] + c * f.dp[1], wanted.a[1], 1e-10);
         CHECK_NEAR(f.dphi, 1e3 * wanted.a[5], 1e-10);
-        CHECK(fabs(printed.a[0] - wanted.a[0]) + fabs(printed.a[1] - wanted.a[1]) > 1e-3);
+        CHECK_ABOVE(fabs(printed.a[0] - wanted.a[0]) + fabs(printed.a[1] - wanted.a[1]), 1e-3);
     }
     law_along_free(&law);
 }
@@ -110,7 +110,7 @@ static void equation_14_has_two_entries_swapped(void)
     const prototype_section q = prototype_integrals(&p, p.width[0]);
     CHECK_NEAR(printed[0] / right[0], q.EIy / q.EIx, 1e-9);
     CHECK_NEAR(printed[1] / right[1], q.EIy / q.EIx, 1e-9);
-    CHECK(q.EIy / q.EIx > 2);
+    CHECK_ABOVE(q.EIy / q.EIx, 2);
     printf("Eq. 14: bends %.2f and %.2f deg, as printed %.2f and %.2f deg\n", right[0], right[1],
            printed[0], printed[1]);
 }

@@ -40,7 +40,8 @@ static void curvature_falls_in_the_middle_and_rises_again(void)
     CHECK_WITHIN(k[0].size, 37.5, 0.05);
     CHECK_WITHIN(k[low].size, 6.2, 0.05);
     CHECK_WITHIN(k[POINTS - 1].size, 45, 0.5);
-    CHECK(low > 0.4 * POINTS && low < 0.6 * POINTS);
+    CHECK_ABOVE(low, 0.4 * POINTS);
+    CHECK_BELOW(low, 0.6 * POINTS);
     for (int i = 1; i < POINTS; i++) {
         CHECK(i <= low ? k[i].size < k[i - 1].size : k[i].size > k[i - 1].size);
     }
@@ -54,7 +55,7 @@ static void one_component_changes_sign_in_the_middle(void)
     curvatures(k);
     const int half = (POINTS - 1) / 2;
     CHECK_WITHIN(k[half].y, 0, 1e-9);
-    CHECK(k[half - 1].y * k[half + 1].y < 0);
+    CHECK_BELOW(k[half - 1].y * k[half + 1].y, 0);
     for (int i = 1; i < POINTS - 1; i++) {
         CHECK(i == half || (k[i].y > 0) == (i < half ? k[1].y > 0 : k[1].y < 0));
     }

@@ -82,7 +82,7 @@ static void rubbed_arc_is_found(double strength, bool pulled, bool elastic)
     CHECK_NEAR(s.tension[0], f.tau0, AGREE);
     CHECK_NEAR(end, f.tip_tension, AGREE);
     CHECK_NEAR(LENGTH - s.length[0], f.drawn, AGREE);
-    CHECK(s.out.iterations <= (pulled ? MOST_PULLED : MOST_GIVEN));
+    CHECK_AT_MOST(s.out.iterations, (pulled ? MOST_PULLED : MOST_GIVEN));
     solved_free(&s);
     law_along_free(&law);
 }
@@ -102,7 +102,7 @@ static void next_answers_take_few_steps(double strength)
     tension = 1.01;
     CHECK_OK(solved_again(&s, &(rod_request){.tension = &tension}));
     printf("mu r tau0 L / EI = %5.1f: %d steps to 1 %% more tension\n", strength, s.out.iterations);
-    CHECK(s.out.iterations <= MOST);
+    CHECK_AT_MOST(s.out.iterations, MOST);
     solved_free(&s);
     law_along_free(&law);
 }
@@ -165,7 +165,7 @@ static void capstan_holds_on_a_loaded_helix(void)
         const double wanted = exp(-mu[j] * turned);
         printf("capstan, loaded helix, %.3f rad: %.9f of the tension left, off by %.1e\n", turned,
                end[j] / tension[j], end[j] / tension[j] - wanted);
-        CHECK(turned > 0.8);
+        CHECK_ABOVE(turned, 0.8);
         CHECK_NEAR(end[j] / tension[j], wanted, 1e-7);
     }
     solved_free(&s);
@@ -223,7 +223,7 @@ static void derivatives_follow_friction(void)
     solve_well(
         &s, &spec, (rod_options){.npanel = 128, .tolerance = 1e-12},
         &(rod_request){.tension = k.tension, .pull = k.pull, .tip_space = k.force, .cold = true});
-    CHECK(s.tension[1] > 0.05); // it does pull
+    CHECK_ABOVE(s.tension[1], 0.05); // it does pull
     vec6 by_tension[2], by_pull[2], column;
     mat6 by_force;
     CHECK_OK(rod_derive(
@@ -264,13 +264,13 @@ static void errors_fall(const char *what, vec6 force, bool bent_back)
         error[i] = gap(s.out.tip.p, exact.out.tip.p) / LENGTH;
         printf("%-20s %4d panels: tip / L %8.1e, estimate %8.1e\n", what, 8 << i, error[i],
                s.out.relative_error);
-        CHECK(s.out.relative_error >= (bent_back ? error[i] : error[i] / 3));
+        CHECK_AT_LEAST(s.out.relative_error, (bent_back ? error[i] : error[i] / 3));
         solved_free(&s);
     }
     const double order = observed_order(LEVELS - 1, h + 1, error + 1);
     printf("%-20s order %.2f\n", what, order);
     if (bent_back) {
-        CHECK(order > 1.7);
+        CHECK_ABOVE(order, 1.7);
     } else {
         CHECK_WITHIN(order, 4, 0.2);
     }

@@ -44,8 +44,8 @@ static void same_rod(const char *what, view v, bool loads)
     CHECK_WITHIN(moved, 0, SAME);
     CHECK_WITHIN(turned, 0, SAME);
     CHECK_WITHIN(drawn, 0, SAME);
-    CHECK(gap(a.out.tip.p, vector(0, 0, FULL_LENGTH)) >
-          0.2 * FULL_LENGTH); // and it bends a good deal
+    CHECK_ABOVE(gap(a.out.tip.p, vector(0, 0, FULL_LENGTH)),
+                0.2 * FULL_LENGTH); // and it bends a good deal
     solved_free(&a);
     solved_free(&b);
     law_along_free(&first.law);
@@ -131,7 +131,7 @@ static void plane_stays_plane(void)
     const pose g = s.out.tip;
     CHECK(g.p.a[1] == 0 && g.R.a[0][1] == 0 && g.R.a[1][0] == 0 && g.R.a[1][2] == 0 &&
           g.R.a[2][1] == 0 && g.R.a[1][1] == 1);
-    CHECK(fabs(g.p.a[0]) > 0.1 * FULL_LENGTH);
+    CHECK_ABOVE(fabs(g.p.a[0]), 0.1 * FULL_LENGTH);
     solved_free(&s);
     law_along_free(&law);
 }

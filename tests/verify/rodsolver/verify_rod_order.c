@@ -43,11 +43,11 @@ static void order_is_six(const study *t)
         inside[i] = distance(shape[1].p, exact_shape[1].p);
         printf("%8d %12.3e %12.3e %8.2f %14.3e\n", n, tip[i], out.relative_error,
                out.relative_error / tip[i], inside[i]);
-        CHECK(out.relative_error >= tip[i] / 3);
-        CHECK(out.relative_error <= 20 * tip[i]);
+        CHECK_AT_LEAST(out.relative_error, tip[i] / 3);
+        CHECK_AT_MOST(out.relative_error, 20 * tip[i]);
     }
     CHECK_WITHIN(observed_order(N, h, tip), 6.0, 0.25);
-    CHECK(observed_order(N, h, inside) > 5.5);
+    CHECK_ABOVE(observed_order(N, h, inside), 5.5);
 }
 
 // over tensions from small to nearly all that can be pulled, on coarse plans and on fine ones
@@ -61,9 +61,9 @@ static void estimate_is_honest(study *t)
         for (int n = 4; n <= 64; n *= 2) {
             const rod_solution out = solve(t, n, shape);
             const double error = distance(out.tip.p, exact.tip.p) / t->law.length;
-            CHECK(out.relative_error >= error / 3);
+            CHECK_AT_LEAST(out.relative_error, error / 3);
             // errors of a rod that is curled up may cancel at its tip: then the estimate is larger
-            CHECK(out.relative_error <= 200 * error);
+            CHECK_AT_MOST(out.relative_error, 200 * error);
         }
     }
 }

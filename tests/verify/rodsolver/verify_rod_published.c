@@ -213,10 +213,11 @@ static void princeton_beam_bends_and_twists(void)
         // the most between 45 and 75 degrees
         int most = 0;
         for (int i = 1; i < ANGLES; i++) {
-            CHECK(soft[i] > soft[i - 1]);
+            CHECK_ABOVE(soft[i], soft[i - 1]);
             most = fabs(twist[i]) > fabs(twist[most]) ? i : most;
         }
-        CHECK(most >= 3 && most <= 5);
+        CHECK_AT_LEAST(most, 3);
+        CHECK_AT_MOST(most, 5);
         CHECK_WITHIN(twist[0], 0, 1e-12);
         CHECK_WITHIN(twist[ANGLES - 1], 0, 1e-12);
     }

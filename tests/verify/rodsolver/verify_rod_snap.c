@@ -118,7 +118,7 @@ static void pushed_over_it_snaps(double stiff, double times_euler)
            "%.12f\n",
            times_euler, push / unit, angle, s.out.fraction, wanted);
     CHECK_NEAR(s.out.fraction, wanted, 1e-8);
-    CHECK(s.out.ncritical >= 1);
+    CHECK_AT_LEAST(s.out.ncritical, 1);
     if (s.out.ncritical >= 1) {
         const rod_critical *last = &s.out.critical[s.out.ncritical - 1];
         CHECK(last->kind == CRITICAL_LIMIT);
@@ -133,7 +133,7 @@ static void pushed_over_it_snaps(double stiff, double times_euler)
     solve_well(&s, &(rod_spec){.law = &law}, options, &request);
     request = (rod_request){.tip_space = {{-most, 0, -P}}, .past = true, .stability = true};
     CHECK_OK(solved_again(&s, &request));
-    CHECK(s.out.fraction == 1);
+    CHECK_WITHIN(s.out.fraction, 1, 0);
     leans_as_the_elastica(&s, P, most, EA, -1);
     CHECK(s.out.ncritical == 2);
     for (int i = 0; i < s.out.ncritical && i < 2; i++) {

@@ -202,19 +202,21 @@ static void smoothed_rings_come_nearer_than_pixels(void)
     // stairs weaken what they surround in proportion to their depth; what is left of them, and the
     // count of pixels, falls faster
     CHECK_WITHIN(observed_order(SIZES, pixels.h, pixels.GJ), 1, 0.3);
-    CHECK(observed_order(SIZES, smooth.h, smooth.GJ) > 1.2);
+    CHECK_ABOVE(observed_order(SIZES, smooth.h, smooth.GJ), 1.2);
     for (int k = 0; k < SIZES; k++) {
         CHECK_BELOW(smooth.GJ[k], pixels.GJ[k] / 3);
         CHECK_BELOW(smooth.K[k], pixels.K[k]);
         // the area is that of the pixels, with what little the junctions change
-        CHECK(smooth.area[k] < 1.3 * pixels.area[k] && smooth.EA[k] < 1.3 * pixels.EA[k]);
+        CHECK_BELOW(smooth.area[k], 1.3 * pixels.area[k]);
+        CHECK_BELOW(smooth.EA[k], 1.3 * pixels.EA[k]);
     }
     printf("difference to pixels twice as wide over the error: at least %.2f, smoothed %.2f\n",
            least[0], least[1]);
     // the error lies below the difference; smoothed, where a count of few pixels decides, below
     // three times the difference
-    CHECK(least[0] > 1 && least[1] > 1.0 / 3);
-    CHECK(loose <= 2 * SIZES * TRIALS / 10);
+    CHECK_ABOVE(least[0], 1);
+    CHECK_ABOVE(least[1], 1.0 / 3);
+    CHECK_AT_MOST(loose, 2 * SIZES * TRIALS / 10);
 }
 
 int main(void)

@@ -47,7 +47,8 @@ static void frame_is_the_declared_axis(int model)
     CHECK_OK(section_along(&c, two, length, &r));
     CHECK(r.along.symmetric);
     const beam_centres *base = &r.station[0].centres, *tip = &r.station[r.nstation - 1].centres;
-    CHECK(base->EI[0] > base->EI[1] && tip->EI[0] < tip->EI[1]); // the test can tell
+    CHECK_ABOVE(base->EI[0], base->EI[1]);
+    CHECK_BELOW(tip->EI[0], tip->EI[1]); // the test can tell
     for (int i = 0; i <= 4000; i++) {
         const double s = length * i / 4000;
         centre_frame f;
