@@ -9,13 +9,9 @@
 #include "app/reach_scopes.h"
 #include "app/warnings.h"
 #include "io/json.h"
+#include "io/number.h"
 
 #include <string.h>
-
-static const char *plural(int count)
-{
-    return count == 1 ? "" : "s";
-}
 
 // what of the reach study the case alone does not show
 typedef struct reach_counts {

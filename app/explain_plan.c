@@ -7,13 +7,9 @@
 #include "app/reach_case.h"
 #include "app/sensitivity.h"
 #include "io/config_defaults.h"
+#include "io/number.h"
 
 #include <string.h>
-
-static const char *plural(int count)
-{
-    return count == 1 ? "" : "s";
-}
 
 // --- what is computed
 

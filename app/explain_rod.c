@@ -4,6 +4,7 @@
 #include "app/explain.h"
 #include "app/rest_line.h"
 #include "app/segment_source.h"
+#include "io/number.h"
 #include "section/follow.h"
 
 #include <math.h>
@@ -13,11 +14,6 @@ enum { PATH_SAMPLES = 17, MOST_TENDONS = 8 };
 
 // a path that leaves its first place by less than this over the rod's length is straight
 static const double STRAIGHT = 1e-9;
-
-static const char *plural(int count)
-{
-    return count == 1 ? "" : "s";
-}
 
 // --- tendons
 

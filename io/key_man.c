@@ -42,15 +42,5 @@ static void put_table(FILE *stream, const key_table *table)
 
 status schema_man(const key_table *root, void *stdio_stream)
 {
-    FILE *stream = stdio_stream;
-    key_tables below = {0};
-    const status st = key_tables_collect(root, &below);
-    if (st != OK) {
-        return st;
-    }
-    put_table(stream, root);
-    for (int i = 0; i < below.count; i++) {
-        put_table(stream, below.item[i]);
-    }
-    return ferror(stream) ? status_fail(ERR_RESOURCE, "writing the key reference failed") : OK;
+    return key_reference(root, stdio_stream, put_table);
 }

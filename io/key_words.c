@@ -67,3 +67,18 @@ void key_demand_words(const key *k, char words[KEY_WORDS])
         (void)snprintf(words, KEY_WORDS, "%s", k->initial);
     }
 }
+
+status key_reference(const key_table *root, FILE *stream,
+                     void (*put_table)(FILE *stream, const key_table *table))
+{
+    key_tables below = {0};
+    const status st = key_tables_collect(root, &below);
+    if (st != OK) {
+        return st;
+    }
+    put_table(stream, root);
+    for (int i = 0; i < below.count; i++) {
+        put_table(stream, below.item[i]);
+    }
+    return ferror(stream) ? status_fail(ERR_RESOURCE, "writing the key reference failed") : OK;
+}

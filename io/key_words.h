@@ -4,6 +4,8 @@
 
 #include "io/key_names.h"
 
+#include <stdio.h>
+
 enum { KEY_WORDS = 1024 };
 
 // "number", "list of", "full|classical"; a kind that holds a table ends before the table's name.
@@ -15,3 +17,7 @@ void key_demand_words(const key *k, char words[KEY_WORDS]);
 // What a key means, with its range in this unit and its default, for a comment beside it: "full
 // angular width, more than 0 and less than 2 pi; 0 to 360 deg".
 void key_help(const key *k, const unit *u, char words[KEY_WORDS]);
+
+// A key reference: each table once, as `put_table` writes it.
+status key_reference(const key_table *root, FILE *stream,
+                     void (*put_table)(FILE *stream, const key_table *table));

@@ -87,3 +87,8 @@ bool number_read(const char *text, double *value)
     *value = strtod(copy, NULL);
     return true;
 }
+
+const char *plural(int count)
+{
+    return count == 1 ? "" : "s";
+}

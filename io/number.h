@@ -14,3 +14,6 @@ void number_text(double value, char text[NUMBER_TEXT]);
 // hexadecimal, no inf or nan. False where `text` is anything else; a number too large for a double
 // is infinite.
 bool number_read(const char *text, double *value);
+
+// "s", or "" after a count of one.
+const char *plural(int count);

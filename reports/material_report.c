@@ -3,16 +3,12 @@
 
 #include "io/csv.h"
 #include "io/disk.h"
+#include "io/number.h"
 
 #include <math.h>
 #include <string.h>
 
 enum { PATH_TEXT = 4096 };
-
-static const char *plural(int n)
-{
-    return n == 1 ? "" : "s";
-}
 
 static bool same_sizes(const material_specimen *a, const material_specimen *b)
 {

@@ -13,14 +13,7 @@ if nm -D "$STIFFAXIS_LIBRARY" | grep -q '__asan_\|__ubsan_\|__gcov_'; then
     exit 0
 fi
 
-# Debian's own Python first: another one in front of it may lack numpy
-python=
-for candidate in /usr/bin/python3 python3; do
-    if "$candidate" -c 'import numpy' 2>/dev/null; then
-        python=$candidate
-        break
-    fi
-done
+python_with numpy /usr/bin/python3 python3
 # without numpy the module says what is missing
 bare=$(command -v "${python:-python3}") || exit 0
 mkdir -p "$work/no/numpy"

@@ -2,21 +2,13 @@
 # h5py reads a result without help: what stands in it is what --json says, to the last bit, every dataset tells its unit. Needs
 # python3-h5py, which nothing else here does: without it the script says so and is content.
 set -eu
+. "$STIFFAXIS_SOURCE/tests/cli/helpers"
 
-python=
-for candidate in /usr/bin/python3 python3; do
-    if "$candidate" -c 'import h5py, numpy' 2>/dev/null; then
-        python=$candidate
-        break
-    fi
-done
-if [ -z "$python" ] || [ ! -x "${STIFFAXIS:-}" ]; then
-    echo "skipped: no python3 with h5py, or no program"
+python_with 'h5py, numpy' /usr/bin/python3 python3
+if [ -z "$python" ]; then
+    echo "skipped: no python3 with h5py"
     exit 0
 fi
-source=${STIFFAXIS_SOURCE:?the repository}
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
 
 cat >"$work/check.py" <<'END'
 import json, sys
@@ -57,6 +49,6 @@ with h5py.File(file, "r") as f:
     print("h5py: %d datasets with their units" % len(count))
 END
 case=$source/cases/constant_nc.yaml
-"$STIFFAXIS" rod "$case" --out "$work/rod" --json --quiet >"$work/rod.json"
-"$STIFFAXIS" section "$case" --json --quiet >"$work/section.json"
+"$program" rod "$case" --out "$work/rod" --json --quiet >"$work/rod.json"
+"$program" section "$case" --json --quiet >"$work/section.json"
 "$python" "$work/check.py" "$work/rod/result.hdf" "$work/rod.json" "$work/section.json" "$case"

@@ -3,20 +3,13 @@
 # and the bodies. Needs python3-vtk9 or ParaView, which nothing else here does: without them the script says so and is content. Where
 # ParaView is there (Debian's python3-paraview, which takes the place of python3-vtk9) it opens both files too, under xvfb.
 set -eu
+. "$STIFFAXIS_SOURCE/tests/cli/helpers"
 
-python=
-for candidate in python3 /usr/bin/python3 pvpython; do
-    if echo 'from vtkmodules.vtkIOHDF import vtkHDFReader' | "$candidate" - 2>/dev/null; then
-        python=$candidate
-        break
-    fi
-done
-if [ -z "$python" ] || [ ! -x "${STIFFAXIS:-}" ]; then
-    echo "skipped: no python3 with VTK 9.1, no pvpython, or no program"
+python_with vtkmodules.vtkIOHDF python3 /usr/bin/python3 pvpython
+if [ -z "$python" ]; then
+    echo "skipped: no python3 with VTK 9.1, and no pvpython"
     exit 0
 fi
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
 
 cat >"$work/case.yaml" <<'END'
 format: 1
@@ -98,29 +91,15 @@ END
 # hexahedra from a mapped mesh, wedges from a free one
 for pair in mapped:12 free:13; do
     kind=${pair%:*}
-    "$STIFFAXIS" section "$work/case.yaml" --set "section.mesh.kind=$kind" --json --quiet >"$work/section.json"
+    "$program" section "$work/case.yaml" --set "section.mesh.kind=$kind" --json --quiet >"$work/section.json"
     # without the other programs that comparisons ask
-    env PATH="$work/nothing" "$STIFFAXIS" run "$work/case.yaml" --set "section.mesh.kind=$kind" --out "$work/$kind" --quiet >"$work/log"
+    env PATH="$work/nothing" "$program" run "$work/case.yaml" --set "section.mesh.kind=$kind" --out "$work/$kind" --quiet >"$work/log"
     "$python" "$work/check.py" "$work/$kind/result.hdf" "${pair#*:}" "$work/section.json"
 done
 
 # --- a reach study: a box of 40 x 40 x 50 mm, and two scopes at three targets
 
-awk 'BEGIN {
-    split("0 1 3 2  4 6 7 5  0 4 5 1  2 3 7 6  0 2 6 4  1 5 7 3", c, / +/)
-    print "solid box"
-    for (f = 0; f < 6; f++)
-        for (t = 0; t < 2; t++) {
-            split(t ? "1 3 4" : "1 2 3", k, " ")
-            print "facet normal 0 0 0\nouter loop"
-            for (i = 1; i <= 3; i++) {
-                v = c[4 * f + k[i]]
-                print "vertex", (v % 2 ? 20 : -20), (int(v / 2) % 2 ? 20 : -20), (v > 3 ? 45 : -5)
-            }
-            print "endloop\nendfacet"
-        }
-    print "endsolid box"
-}' >"$work/box.stl"
+box >"$work/box.stl"
 printf 'name,x [mm],y [mm],z [mm]\nnear,0,6,25\nside,-8,0,22\nfar,19,19,-4\n' >"$work/targets.csv"
 cat >"$work/box.yaml" <<'END'
 format: 1
@@ -179,7 +158,7 @@ for i, scope in enumerate(told["scopes"]):
     assert next(lines, None) is None, scope["name"]
 print("vtkHDFReader: a wall of %d triangles, %d bodies of %d lines" % (len(cells[0]), nbody, grid.GetNumberOfCells() - len(cells[0])))
 END
-"$STIFFAXIS" reach "$work/box.yaml" --out "$work/reach" --json --quiet >"$work/reach.json"
+"$program" reach "$work/box.yaml" --out "$work/reach" --json --quiet >"$work/reach.json"
 "$python" "$work/reach.py" "$work/reach/result.hdf" "$work/reach.json"
 
 # --- ParaView itself

@@ -9,18 +9,9 @@ import sys
 
 import numpy as np
 import stiffaxis
+from failing import fails
 
 path = sys.argv[1]
-
-
-def fails(kind, words, call, *arguments, **more):
-    try:
-        call(*arguments, **more)
-    except kind as error:
-        assert words in str(error), "%r does not say %r" % (str(error), words)
-        return
-    raise AssertionError("%s did not fail: %r" % (call, words))
-
 
 case = stiffaxis.Case(pathlib.Path(path))
 section = case.section()

@@ -6,17 +6,9 @@ import threading
 
 import numpy as np
 import stiffaxis
+from failing import fails
 
 path = sys.argv[1]
-
-
-def fails(kind, words, call, *arguments, **more):
-    try:
-        call(*arguments, **more)
-    except kind as error:
-        assert words in str(error), "%r does not say %r" % (str(error), words)
-        return error
-    raise AssertionError("%s did not fail: %r" % (call, words))
 
 
 # --- a mistake in a case has its place
