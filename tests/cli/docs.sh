@@ -56,8 +56,14 @@ docs/bad.md:51: part of a case: which one?
 docs/bad.md:56: a block of no language: neither output nor run
 docs/bad.md:61: cases/fig4.yaml
 docs/bad.md:67: results/none.svg was not made
+docs/bad.md:71: a fence of ~~~
+docs/bad.md:75: commands that are only indented
+docs/bad.md:79: a fence further in than 3 spaces
+docs/bad.md:82: a link by reference
+docs/bad.md:82: a link in HTML
+docs/bad.md:84: a link by reference
 END_OF_WORDS
-[ "$(grep -c '^docs/bad.md:[0-9]*: ' "$work/out")" = 24 ] || fail 'another number of mistakes'
+[ "$(grep -c '^docs/bad.md:[0-9]*: ' "$work/out")" = 31 ] || fail 'another number of mistakes'
 # --update mends outputs, keeps what was left out and changes nothing else
 sed -i 's/29.213 /29.315 /; s/65  -0/66  -0/' "$small/docs/good.md"
 expect 0 python3 "$runner" --update "$small" "$program" "$work/scratch_update" docs/good.md

@@ -296,6 +296,7 @@ class Run:
         for line, command in page.inline():
             self.sentence(page, line, command)
         self.wrong += page.dead(self.counts)
+        self.wrong += page.refused()
         if page.edits:
             rewrite(page)
 

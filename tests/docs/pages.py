@@ -10,6 +10,12 @@ HTTP = re.compile(r'^https?://[\w.-]+\.[a-z]{2,}(?::\d+)?(?:/[^\s<>"]*)?$')
 NAMED = re.compile(r'(?<![\w/.-])((?:docs|cases|examples|tests|bench|cmake|python|api|rodsolver|base)/'
                    r'[\w./-]*\w\.(?:md|yaml|py|sh|c|h|awk|png))\b')
 PROGRAM = re.compile(r'`((?:verify|test|bench)_\w+)`')
+# forms that this reader does not follow, and so refuses
+REFUSED = [(re.compile(r'^\s*~~~'), 'a fence of ~~~: write ```'),
+           (re.compile(r'^(?: {4,}|\t)\s*```'), 'a fence further in than 3 spaces'),
+           (re.compile(r'^ {0,3}\[[^\]]+\]:\s*\S'), 'a link by reference: write [text](target)'),
+           (re.compile(r'\]\[[^\]]*\]'), 'a link by reference: write [text](target)'),
+           (re.compile(r'<(?:img|a)\s[^>]*(?:src|href)='), 'a link in HTML: write [text](target)')]
 HEREDOC = re.compile(r"<<-?\s*['\"]?(\w+)['\"]?")
 MADE = {'docs/keys.md'}  # by the program, where it is installed
 
@@ -58,6 +64,18 @@ class Page:
                 self.prose.append((number, line))
         if block:
             raise SystemExit(f'{self.name}:{block.line}: the block does not end')
+
+    def refused(self):
+        """lines on forms that would go by unread: the ones above, and commands that are only indented (formulas may be)"""
+        listed = False
+        for number, line in self.prose:
+            bare = re.sub(r'`[^`]*`', '``', line) if '```' not in line else line
+            for form, words in REFUSED:
+                if form.search(bare):
+                    yield f'{self.name}:{number}: {words}'
+            listed = bool(re.match(r'\s*(?:[-*+]|\d+\.)\s', line)) or listed and (not line.strip() or line.startswith(' '))
+            if re.match(r'(?: {4}|\t)\s*(?:\$ |stiffaxis |\./run |python3 )', line) and not listed:
+                yield f'{self.name}:{number}: commands that are only indented: write ```'
 
     def headings(self):
         """anchors as GitHub makes them"""
