@@ -329,22 +329,23 @@ bool case_has_sensitivity(const case_data *c)
     return mark_given(c->file.sensitivity.at);
 }
 
-static status need(const case_data *c, bool there, const char *part)
+status case_lacks(const case_data *c, mark at, const char *part, const char *example)
 {
-    return there ? OK : config_fail(c->config, (mark){1, 1}, "the case has no '%s'", part);
+    return config_fail(c->config, at, "the case has no '%s'; `stiffaxis example %s` has one", part,
+                       example);
 }
 
 status case_need_section(const case_data *c)
 {
-    return need(c, case_has_section(c), "section");
+    return case_has_section(c) ? OK : case_lacks(c, (mark){1, 1}, "section", "fig4");
 }
 
 status case_need_rod(const case_data *c)
 {
-    return need(c, case_has_rod(c), "rod");
+    return case_has_rod(c) ? OK : case_lacks(c, (mark){1, 1}, "rod", "constant_nc");
 }
 
 status case_need_segment(const case_data *c)
 {
-    return need(c, case_has_segment(c), "fem");
+    return case_has_segment(c) ? OK : case_lacks(c, (mark){1, 1}, "fem", "fig4");
 }

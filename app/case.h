@@ -70,6 +70,8 @@ bool case_has_sensitivity(const case_data *c);
 status case_need_section(const case_data *c);
 status case_need_rod(const case_data *c);
 status case_need_segment(const case_data *c);
+// That ERR_INPUT, with the example that has such a part.
+status case_lacks(const case_data *c, mark at, const char *part, const char *example);
 
 // The case's keys, for `schema`: *root and *initial (the defaults) are filled, root->initial points
 // to *initial.

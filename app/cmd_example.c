@@ -86,6 +86,12 @@ static status find_example(const char *name, const example **out)
         }
         nearest_offer(&near, e->name, e->name);
     }
+    // the beginning of a name was hardly misspelled
+    for (const example *e = examples; e->name && name[0] && !near.best[0]; e++) {
+        if (strncmp(e->name, name, strlen(name)) == 0) {
+            (void)snprintf(near.best, sizeof near.best, "%s", e->name);
+        }
+    }
     return status_fail(ERR_INPUT, "no example '%s'%s: stiffaxis example lists them", name,
                        nearest_words(&near, words));
 }

@@ -199,9 +199,9 @@ done:
 status case_need_design(const case_data *c)
 {
     const mark at = c->file.reach.at;
-    return case_has_design(c) ? case_design_check(c)
-                              : config_fail(c->config, mark_given(at) ? at : (mark){1, 1},
-                                            "the case has no 'reach.design'");
+    return case_has_design(c)
+               ? case_design_check(c)
+               : case_lacks(c, mark_given(at) ? at : (mark){1, 1}, "reach.design", "design");
 }
 
 // --- a design as settings

@@ -116,7 +116,9 @@ bool case_has_fit(const case_data *c)
 
 status case_need_fit(const case_data *c)
 {
-    return case_has_fit(c) ? OK : config_fail(c->config, (mark){1, 1}, "the case has no 'fit'");
+    return case_has_fit(c) ? OK
+                           : config_fail(c->config, (mark){1, 1},
+                                         "the case has no 'fit'; docs/measurements.md shows one");
 }
 
 static status check_bounds(const case_data *c, const fit_parameter *p)

@@ -8,7 +8,7 @@ bool case_has_reach(const case_data *c)
 
 status case_need_reach(const case_data *c)
 {
-    return case_has_reach(c) ? OK : config_fail(c->config, (mark){1, 1}, "the case has no 'reach'");
+    return case_has_reach(c) ? OK : case_lacks(c, (mark){1, 1}, "reach", "endoscope");
 }
 
 const scope_case *case_scope(const case_data *c, int i)

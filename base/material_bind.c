@@ -105,7 +105,8 @@ static status bind_isotropic(material *m)
     TRY(take_modulus(m));
     TRY(check_given(m, "isotropic, by E and nu", 0, 1));
     if (!(m->nu > -1 && m->nu < 0.5)) {
-        return refuse(m, "nu = %.6g breaks -1 < nu < 0.5", m->nu);
+        return refuse(m, "nu = %.6g breaks -1 < nu < 0.5%s", m->nu,
+                      m->nu == 0.5 ? " (for a rubber take 0.49)" : "");
     }
     if (m->nu < least_nu || m->nu > most_nu) {
         return refuse(m, "nu = %.8g is too near to the end of -1 < nu < 0.5: %g to %g", m->nu,

@@ -10,11 +10,11 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-static const mark top = {1, 1};
+static const mark whole_file = {WHOLE_FILE_LINE, 0};
 
 static status too_large(const config *cfg)
 {
-    return config_fail(cfg, top, "the file is larger than %d MB: not a case",
+    return config_fail(cfg, whole_file, "the file is larger than %d MB: not a case",
                        CONFIG_MAX_BYTES >> 20);
 }
 
@@ -22,10 +22,10 @@ static status check_kind(const config *cfg, int file)
 {
     struct stat about;
     if (fstat(file, &about) != 0) {
-        return config_fail(cfg, top, "cannot read: %s", strerror(errno));
+        return config_fail(cfg, whole_file, "cannot read: %s", strerror(errno));
     }
     if (S_ISDIR(about.st_mode)) {
-        return config_fail(cfg, top, "this is a directory, not a case file");
+        return config_fail(cfg, whole_file, "this is a directory, not a case file");
     }
     if (S_ISREG(about.st_mode) && about.st_size > CONFIG_MAX_BYTES) {
         return too_large(cfg);
@@ -45,7 +45,7 @@ static status read_all(config *cfg, int file)
             continue;
         }
         if (got < 0) {
-            TRY(config_fail(cfg, top, "cannot read: %s", strerror(errno)));
+            TRY(config_fail(cfg, whole_file, "cannot read: %s", strerror(errno)));
         }
         if (got == 0) {
             break;
@@ -75,7 +75,7 @@ status case_text_load(config *cfg)
     const bool from_stdin = strcmp(cfg->path, "-") == 0;
     const int file = from_stdin ? STDIN_FILENO : open(cfg->path, O_RDONLY | O_CLOEXEC | O_NOCTTY);
     if (file < 0) {
-        return config_fail(cfg, top, "cannot open: %s", strerror(errno));
+        return config_fail(cfg, whole_file, "cannot open: %s", strerror(errno));
     }
     TRY(check_kind(cfg, file));
     TRY(read_all(cfg, file));
@@ -85,6 +85,39 @@ done:
         (void)close(file);
     }
     return st;
+}
+
+// triangles of a binary STL surface that has exactly this many bytes; -1: it is none
+static long long stl_triangles(const unsigned char *bytes, size_t length)
+{
+    enum { HEADER = 80, TRIANGLE = 50 };
+    if (length < HEADER + 4) {
+        return -1;
+    }
+    const unsigned char *b = bytes + HEADER;
+    const long long n = b[0] | b[1] << 8 | b[2] << 16 | (long long)b[3] << 24;
+    return (long long)length == HEADER + 4 + TRIANGLE * n ? n : -1;
+}
+
+status case_text_kind(const config *cfg)
+{
+    static const struct {
+        const char *magic, *words;
+    } others[] = {
+        {"\x89PNG", "this is a PNG image, not a case; name it in a case under section.png"},
+        {"\x89HDF", "this is an HDF5 file, not a case; `stiffaxis report` takes results"},
+    };
+    for (size_t i = 0; i < sizeof others / sizeof *others; i++) {
+        const size_t n = strlen(others[i].magic);
+        if (cfg->length > n && memcmp(cfg->text, others[i].magic, n) == 0) {
+            return config_fail(cfg, whole_file, "%s", others[i].words);
+        }
+    }
+    return stl_triangles((const unsigned char *)cfg->text, cfg->length) > 0
+               ? config_fail(cfg, whole_file,
+                             "this is an STL surface, not a case; name it in a case under "
+                             "reach.tissue")
+               : OK;
 }
 
 // one character that libyaml would refuse with fewer words, or take where we do not

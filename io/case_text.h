@@ -8,6 +8,9 @@
 // ERR_INPUT where there is no such file, a directory, or more than that.
 status case_text_load(config *cfg);
 
+// ERR_INPUT that names what it is for a PNG image, an HDF5 file and a binary STL surface.
+status case_text_kind(const config *cfg);
+
 // ERR_INPUT for what no case holds: bytes that are not UTF-8, control characters, a tab in the
 // indentation of a line, a YAML directive. override: which --set the text is the value of, -1 for
 // the file.

@@ -29,6 +29,9 @@ struct node {
 // override -1 is the file.
 enum { OVERRIDE_LINE = 1 << 28 };
 
+// The line of what is said about the file as a whole, which has no place inside of it.
+enum { WHOLE_FILE_LINE = -1 };
+
 static inline mark case_mark(int override, mark in_text)
 {
     return (mark){override < 0 ? in_text.line : OVERRIDE_LINE + override, in_text.column};

@@ -47,6 +47,10 @@ void config_place_text(const config *cfg, mark at, char text[CONFIG_PLACE_TEXT])
         return;
     }
     path_words(cfg, where, sizeof where);
+    if (at.line == WHOLE_FILE_LINE) {
+        (void)snprintf(text, CONFIG_PLACE_TEXT, "%s: ", where);
+        return;
+    }
     (void)snprintf(text, CONFIG_PLACE_TEXT, "%s:%d:%d: ", where, at.line > 0 ? at.line : 1,
                    at.column > 0 ? at.column : 1);
 }

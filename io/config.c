@@ -30,6 +30,7 @@ done:
 static status read_tree(config *cfg)
 {
     status st = OK;
+    TRY(case_text_kind(cfg));
     TRY(case_text_check(cfg, cfg->text, cfg->length, -1));
     TRY(yaml_read(cfg, cfg->text, cfg->length, -1, &cfg->root));
     if (!cfg->root) {

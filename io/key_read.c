@@ -9,13 +9,13 @@ enum { MAX_KEYS = 64 }; // of one table
 typedef struct reader {
     const config *cfg;
     const key_table *table;
+    const value_key *around; // the key that the table stands behind
     const node *map;
     char *out;                   // the struct
     const node *given[MAX_KEYS]; // the entry of each key; NULL: not given
 } reader;
 
-static status read_table(const config *cfg, const key_table *table, const node *n, const char *what,
-                         char *out);
+static status read_table(const value_key *around, const node *n, const char *what, char *out);
 
 // tables in place begin with their own defaults, unless the table around them has defaults for the
 // whole struct
@@ -51,7 +51,7 @@ static status read_list(const value_key *v, const node *n, key_list *out)
         char what[96];
         (void)snprintf(what, sizeof what, named ? "'%s'" : "this entry of '%s'", name.a);
         fill_defaults(v->k->table, item);
-        st = read_table(v->cfg, v->k->table, entry, what, item);
+        st = read_table(v, entry, what, item);
         if (named) {
             memcpy(item, &entry->key_at, sizeof entry->key_at);
             memcpy(item + sizeof(mark), &entry->key, sizeof entry->key);
@@ -65,7 +65,7 @@ static status read_inner_table(const value_key *v, const node *n, char *out)
 {
     char what[96];
     (void)snprintf(what, sizeof what, "'%s'", shortened(v->written).a);
-    const status st = read_table(v->cfg, v->k->table, n, what, out);
+    const status st = read_table(v, n, what, out);
     memcpy(out, &n->key_at, sizeof n->key_at);
     return st;
 }
@@ -132,20 +132,59 @@ static status read_value(const value_key *v, const node *n, char *struct_start)
     return status_fail(ERR_BUG, "key '%s' is of no known kind", v->k->name);
 }
 
+// a key that the table around knows was put too deep
+static status refuse_inner(const reader *r, const node *entry)
+{
+    const unit *u = NULL;
+    if (!r->around->beside || !key_find(r->around->beside, entry->key, &u)) {
+        return OK;
+    }
+    return config_fail(r->cfg, entry->key_at,
+                       "unknown key '%s': it belongs one level up, beside '%s'",
+                       shortened(entry->key).a, shortened(r->around->written).a);
+}
+
+static bool is_digits(const char *text)
+{
+    return text[0] != '\0' && text[strspn(text, "0123456789")] == '\0';
+}
+
+// {E_MPa: 0,9, nu: 0.45}: to YAML, 9 is a key
+static status check_comma(const reader *r, const node *entry)
+{
+    const node *next = entry->next;
+    const bool number = entry->kind == NODE_SCALAR && entry->plain &&
+                        is_digits(entry->text + (entry->text[0] == '-'));
+    if (!number || !next || !is_digits(next->key) || next->kind != NODE_SCALAR || !next->plain ||
+        next->text[0]) {
+        return OK;
+    }
+    const short_text whole = shortened(entry->text), part = shortened(next->key);
+    return config_fail(r->cfg, entry->at,
+                       "'%s': %s,%s are two numbers: one is wanted, with a point for the decimals",
+                       shortened(entry->key).a, whole.a, part.a);
+}
+
 static status read_entry(reader *r, const node *entry)
 {
-    value_key v = {.cfg = r->cfg, .written = entry->key};
+    status st = OK;
+    value_key v = {.cfg = r->cfg, .written = entry->key, .beside = r->table};
     v.k = key_find(r->table, entry->key, &v.u);
     if (!v.k) {
-        return key_unknown(r->cfg, r->table, entry);
+        TRY(refuse_inner(r, entry));
+        TRY(key_unknown(r->cfg, r->table, entry));
     }
+    TRY(check_comma(r, entry));
     const node **given = &r->given[v.k - r->table->keys];
     if (*given) {
         return config_fail(r->cfg, entry->key_at, "'%s' and '%s' are the same key, in two units",
                            shortened((*given)->key).a, shortened(entry->key).a);
     }
     *given = entry;
-    return read_value(&v, entry, r->out);
+    TRY(read_value(&v, entry, r->out));
+
+done:
+    return st;
 }
 
 static void usual_spelling(const key *k, char name[KEY_NAME_TEXT])
@@ -208,10 +247,11 @@ static status check_given(const reader *r, const char *what)
 }
 
 // `what`: the map's name in messages
-static status read_table(const config *cfg, const key_table *table, const node *n, const char *what,
-                         char *out)
+static status read_table(const value_key *around, const node *n, const char *what, char *out)
 {
-    reader r = {.cfg = cfg, .table = table, .map = n, .out = out};
+    const config *cfg = around->cfg;
+    const key_table *table = around->k->table;
+    reader r = {.cfg = cfg, .table = table, .around = around, .map = n, .out = out};
     if (table->nkey > MAX_KEYS) {
         return status_fail(ERR_BUG, "table '%s' has more than %d keys", table->name, MAX_KEYS);
     }
@@ -235,7 +275,8 @@ static status read_table(const config *cfg, const key_table *table, const node *
 status config_read(config *cfg, const key_table *root, void *out)
 {
     fill_defaults(root, out);
-    return read_table(cfg, root, cfg->root, "the case", out);
+    const key whole = {.kind = KEY_TABLE, .table = root};
+    return read_table(&(value_key){.cfg = cfg, .k = &whole}, cfg->root, "the case", out);
 }
 
 // the entry of `map` that is spelled as the key, in any unit

@@ -9,7 +9,8 @@ typedef struct value_key {
     const config *cfg;
     const key *k;
     const unit *u;
-    const char *written; // the key as it stands in the case
+    const char *written;     // the key as it stands in the case
+    const key_table *beside; // the table that knows it; NULL: none
 } value_key;
 
 // ERR_INPUT with the node's place, or the very character inside of it, for what is not the kind, or

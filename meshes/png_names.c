@@ -118,6 +118,22 @@ done:
     return st;
 }
 
+// what a shell takes for a stack; a name with a star in it may still be that of a file
+static status check_star(const png_names *n, const char *directory)
+{
+    status st = OK;
+    bool there = true;
+    if (strchr(n->file.text, '*')) {
+        TRY(exists(n, directory, 0, &there));
+    }
+    return there ? OK
+                 : fail_at(&n->file, "names no file: write %d instead of * where the number of a "
+                                     "slice stands, or %03d for three digits");
+
+done:
+    return st;
+}
+
 status png_names_find(const png_spec *spec, const char *directory, png_names *out)
 {
     status st = OK;
@@ -125,6 +141,7 @@ status png_names_find(const png_spec *spec, const char *directory, png_names *ou
     const bool range = spec->first > 0 || spec->last > 0;
 
     TRY(parse_pattern(&n));
+    TRY(n.stack ? OK : check_star(&n, directory));
     if (!n.stack && (spec->layer > 0 || range)) {
         TRY(fail_at(&n.file, "is one image: a stack, which `layer`, `first` and `last` are for, "
                              "has a %d in its name"));

@@ -67,13 +67,13 @@ static void a_file_of_100_megabytes(void)
 {
     case_file_write("format: 1\n", 10);
     CHECK(truncate(case_file_path, 100000000) == 0);
-    refused(case_file_path, ":1:1: error: the file is larger than 8 MB: not a case");
+    refused(case_file_path, ": error: the file is larger than 8 MB: not a case");
     (void)remove(case_file_path);
 }
 
 static void devices_without_end(void)
 {
-    refused("/dev/zero", ":1:1: error: the file is larger than 8 MB: not a case");
+    refused("/dev/zero", ": error: the file is larger than 8 MB: not a case");
     refused("/dev/null", ":1:1: error: the case is empty");
 }
 
