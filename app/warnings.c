@@ -47,22 +47,18 @@ static status section_reach(const case_data *c, double s, double *reach)
     return case_place(c, section_reach_at(&c->file.section, s, reach), c->file.section.at);
 }
 
-static double tendon_distance(const tendon_spec *t, double s)
-{
-    double place[2];
-    chain_tendon_place(t, s, place);
-    return hypot(place[0], place[1]);
-}
-
 // one line for the first place where the tendon lies outside
 static status warn_tendon(const command *cmd, const case_data *c, const tendon_spec *t, int number)
 {
     status st = OK;
+    const section_case *section = &c->file.section;
     const double end = t->end > 0 ? t->end : c->file.rod.length;
     for (int i = 0; i < TENDON_SAMPLES; i++) {
-        const double s = end * i / (TENDON_SAMPLES - 1), away = tendon_distance(t, s);
-        double reach = 0;
-        TRY(section_reach(c, s, &reach));
+        const double s = end * i / (TENDON_SAMPLES - 1);
+        double place[2], reach = 0;
+        chain_tendon_place(t, s, place);
+        const double away = hypot(place[0], place[1]);
+        TRY(case_place(c, section_reach_towards(section, s, place, &reach), section->at));
         if (away > reach * (1 + EDGE_ROUNDING)) {
             char name[64], where[40] = "";
             (void)snprintf(name, sizeof name, t->name ? "'%.60s'" : "%.0s%d",
@@ -70,8 +66,10 @@ static status warn_tendon(const command *cmd, const case_data *c, const tendon_s
             if (i > 0) {
                 (void)snprintf(where, sizeof where, " at s = %.6g mm", 1e3 * s);
             }
-            warn_at(cmd, c, t->at, "tendon %s runs at %.6g mm, outside the section (%.6g mm)%s",
-                    name, 1e3 * away, 1e3 * reach, where);
+            warn_at(cmd, c, t->at,
+                    "tendon %s runs %.6g mm from the centre%s, outside the section, which reaches "
+                    "%.6g mm there",
+                    name, 1e3 * away, where, 1e3 * reach);
             break;
         }
     }

@@ -2,6 +2,7 @@
 #include "section/place.h"
 
 #include "base/memory.h"
+#include "meshes/outline.h"
 #include "meshes/outline_move.h"
 
 #include <math.h>
@@ -263,6 +264,47 @@ status section_reach_at(const section_case *c, double s, double *reach)
     if (!found) {
         TRY(drawing_reach(c->drawing, reach));
         *reach *= field_at(&c->scale, s);
+    }
+
+done:
+    section_outline_free(&o);
+    return st;
+}
+
+// --- how far in a direction
+
+static bool has_material(const section_outline *o, double x, double y)
+{
+    const int top = section_top_shape(o, x, y);
+    return top >= 0 && o->items[top].material >= 0;
+}
+
+// from outside inwards to the first material, then to its edge
+static double reach_along(const section_outline *o, double x, double y)
+{
+    enum { STEPS = 1000, HALVINGS = 44 }; // to the rounding of a step
+    int k = STEPS;
+    while (k > 0 && !has_material(o, o->size * k / STEPS * x, o->size * k / STEPS * y)) {
+        k--;
+    }
+    double in = o->size * k / STEPS, out = o->size * (k + 1) / STEPS;
+    for (int i = 0; i < HALVINGS && k > 0; i++) {
+        const double mid = (in + out) / 2;
+        *(has_material(o, mid * x, mid * y) ? &in : &out) = mid;
+    }
+    return in;
+}
+
+status section_reach_towards(const section_case *c, double s, const double place[2], double *reach)
+{
+    status st = OK;
+    section_outline o = {0};
+    bool found = false;
+    const double away = hypot(place[0], place[1]);
+    TRY(section_reach_at(c, s, reach));
+    TRY(draw(c, s, &o, &found));
+    if (found && away > 0) {
+        *reach = reach_along(&o, place[0] / away, place[1] / away);
     }
 
 done:

@@ -203,3 +203,6 @@ double section_own_length(const section_case *c);
 status section_outline_at(const section_case *c, double s, section_outline *out, bool *found);
 // How far it reaches from its origin [m]; of a stack its first slice.
 status section_reach_at(const section_case *c, double s, double *reach);
+// How far its material reaches in the direction of a place [m], looked for in steps of a thousandth
+// of its size; 0 where none lies there. The outlines unknown: as section_reach_at.
+status section_reach_towards(const section_case *c, double s, const double place[2], double *reach);

@@ -58,6 +58,22 @@ out "materials    $cut: E 0.66 MPa, nu 0.3, close to linear"
 out "annulus of $cut,"
 out "16.965 mm2 of $cut, 1.131 mm2 of stiff"
 
+# a tendon beside a square tube, within the circle around it; in the tube's hollow and in its corner it is inside
+sed -e '/^fem:/,$d' -e '/^    - {annulus/d' -e 's/^    - {sector.*/    - {rectangle: {width_mm: 10, height_mm: 10}, material: soft}/' \
+    -e 's/{name: t1, radius_mm: 3.6, angle_rad: 0}/{name: right, x_mm: 7, y_mm: 0}/' "$source/tests/data/messages.yaml" >"$work/square.yaml"
+echo '    - {rectangle: {width_mm: 8, height_mm: 8}, material: none}' >"$work/hole"
+sed -i "/width_mm: 10/r $work/hole" "$work/square.yaml"
+for command in check rod; do
+    expect 0 "$program" "$command" "$work/square.yaml"
+    err "square.yaml:14:7: warning: tendon 'right' runs 7 mm from the centre, outside the section, which reaches 5 mm there"
+done
+for x in 2 5; do
+    expect 0 "$program" check "$work/square.yaml" --set "rod.tendons.right.x_mm=$x"
+    [ ! -s "$work/err" ] || fail "x = $x: $(cat "$work/err")"
+done
+expect 0 "$program" check "$work/square.yaml" --set 'rod.tendons.right={x_mm: 4.9, y_mm: 4.9, name: right}'
+[ ! -s "$work/err" ] || fail "corner: $(cat "$work/err")"
+
 # names play with no terminal, however they are written
 escaped() {
     sed "s/name: geometric centre/name: \"a$1b\"/" "$cases/fig4.yaml" >"$work/escape.yaml"

@@ -87,7 +87,7 @@ err 'station 300 mm lies outside 0 to 120 mm'
 
 # what hardly was meant is computed, with a warning
 expect 0 "$program" rod "$tube" --set rod.tendons.0.radius_mm=4.2 --set 'rod.tensions_N=[[0.01]]'
-err "warning: tendon 't1' runs at 4.2 mm, outside the section (4 mm)"
+err "warning: tendon 't1' runs 4.2 mm from the centre, outside the section, which reaches 4 mm there"
 one_line
 expect 0 "$program" check "$tube" --set fem.length_mm=2
 err 'warning: the segment is 0.5 radii long'
