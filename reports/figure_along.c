@@ -2,11 +2,12 @@
 #include "reports/figure_along.h"
 
 #include <math.h>
+#include <stdio.h>
 
 enum { COLUMNS = 3 };
 
 static const double side = 28, head = 74, sheet_width = 1000, panel_height = 168;
-static const double axis_left = 62, axis_below = 50, gap = 8, caption = 20;
+static const double axis_left = 62, axis_below = 50, gap = 8, caption = 20, foot_row = 20;
 // what is smaller beside the largest of its group is drawn as the nothing that it is
 static const double nothing_part = 1e-9;
 
@@ -83,9 +84,28 @@ static double panels_height(const along_sheet *s)
     return (places(s) + COLUMNS - 1) / COLUMNS * (panel_height + axis_below + caption);
 }
 
+static bool some_only(const along_sheet *s)
+{
+    return s->show->nshown < s->r->rod.nsolution;
+}
+
 static double sheet_height(const along_sheet *s)
 {
-    return head + panels_height(s) + rod_legend_height(s->show) + 24 + (s->remark ? 20 : 0);
+    const int lines = (s->remark != NULL) + some_only(s);
+    return head + panels_height(s) + rod_legend_height(s->show) + 24 + foot_row * lines;
+}
+
+static void notes(canvas *c, const along_sheet *s)
+{
+    const double y = sheet_height(s) - 12;
+    if (some_only(s)) {
+        char which[80];
+        rod_show_words(s->show, which, sizeof which);
+        say(c, side, y - (s->remark ? foot_row : 0), LOOK_SMALL, "Curves of %s.", which);
+    }
+    if (s->remark) {
+        say(c, side, y, LOOK_SMALL, "%s", s->remark);
+    }
 }
 
 static status draw(canvas *c, const void *data)
@@ -108,17 +128,18 @@ static status draw(canvas *c, const void *data)
     }
     rod_legend(c, s->show, (box){side, head + panels_height(s), sheet_width - 2 * side + 28, 0},
                s->note);
-    if (s->remark) {
-        say(c, side, sheet_height(s) - 12, LOOK_SMALL, "%s", s->remark);
-    }
+    notes(c, s);
     return OK;
 }
 
 status along_write(const along_sheet *s, const char *dir)
 {
+    char which[80], title[200];
+    rod_show_words(s->show, which, sizeof which);
+    (void)snprintf(title, sizeof title, "%s, of %s", s->alt, which);
     const picture p = {
         .name = s->name,
-        .title = s->alt,
+        .title = title,
         .width = sheet_width,
         .height = sheet_height(s),
         .draw = draw,

@@ -17,7 +17,8 @@ typedef struct along_panel {
 typedef struct along_sheet {
     const run_result *r;
     const rod_show *show;
-    const char *name, *title, *alt; // of the files; on the sheet; for a screen reader
+    const char *name, *title; // of the files; on the sheet
+    const char *alt;          // for a screen reader; which solutions is added
     int npanel;
     along_panel panel[ALONG_MAX_PANELS];
     rod_note note;

@@ -65,7 +65,7 @@ status figure_curvature(const run_result *r, const char *dir)
     along_sheet s = {
         .name = "curvature",
         .title = "Curvature, twist and strains along the rod",
-        .alt = "Curvature, twist, elongation and shear along the rod for all solutions",
+        .alt = "Curvature, twist, elongation and shear along the rod",
         .npanel = 6,
         .panel = {{"Curvature about x", "κx, 1/m", curvature, 0, 0, 0},
                   {"Curvature about y", "κy, 1/m", curvature, 1, 0, 0},
@@ -83,7 +83,7 @@ status figure_wrench(const run_result *r, const char *dir)
     along_sheet s = {
         .name = "wrench",
         .title = "What the section carries along the rod",
-        .alt = "Force and moment of the section along the rod for all solutions",
+        .alt = "Force and moment of the section along the rod",
         .npanel = 6,
         .panel = {{"Shear force along x", "nx, N", force, 0, 0, 0},
                   {"Shear force along y", "ny, N", force, 1, 0, 0},

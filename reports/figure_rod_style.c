@@ -234,12 +234,7 @@ static void bar(canvas *c, const rod_show *show, box at)
         number_short(rod_quantity_value(&rod->run[l->count - 1], l->lead), 4).text,
         rod_quantity_unit(l->lead));
     say_within(c, at.x + width + 16, at.y + 13, at.w - width - 16, look, name);
-    if (show->nshown < rod->nsolution) {
-        say(c, at.x + width + 16, at.y + 29, LOOK_SMALL, "%d solutions, %d of them drawn",
-            rod->nsolution, show->nshown);
-    } else {
-        say(c, at.x + width + 16, at.y + 29, LOOK_SMALL, "%d solutions", rod->nsolution);
-    }
+    say(c, at.x + width + 16, at.y + 29, LOOK_SMALL, "%d solutions", rod->nsolution);
 }
 
 void rod_legend(canvas *c, const rod_show *show, box at, rod_note note)

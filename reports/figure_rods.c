@@ -200,18 +200,20 @@ static void notes(canvas *c, const rods_sheet *s)
 {
     const bool some = s->show->ndetail < s->show->nshown;
     const bool loads = s->r->rod.nload > 0, tendons = s->r->rod.ntendon > 0;
-    char more[256];
+    char more[256], which[80] = "";
     const double y = sheet_height(s) - 46;
+    const bool all = s->show->nshown == s->r->rod.nsolution;
     bool stopped = false, unstable = false;
+    rod_show_words(s->show, which, sizeof which);
     for (int i = 0; i < s->show->nshown; i++) {
         const struct rod_run *run = &s->r->rod.run[s->show->shown[i]];
         stopped = stopped || run->fraction < 1;
         unstable = unstable || run->stable == 0;
     }
     say(c, side, y, LOOK_SMALL,
-        "Geometric centrelines from the base plate; x–z and y–z at one scale; grey: shadows on the "
-        "floor.%s",
-        s->show->sweep ? " Tips are joined in the order of the solutions." : "");
+        "Geometric centrelines %s%s; x–z and y–z at one scale; grey: shadows on the floor.%s",
+        all ? "from the base plate" : "of ", all ? "" : which,
+        s->show->sweep ? " All tips are joined." : "");
     (void)snprintf(
         more, sizeof more, "%s%s%s%s%s%s", tendons ? "thin lines: tendons; " : "",
         loads ? "arrows: full ones fixed in space, hollow ones turning with the section, two heads "
@@ -254,15 +256,18 @@ status figure_rods(const run_result *r, const char *dir)
 {
     status st = OK;
     rod_show show = {0};
+    char which[80], title[120];
     if (!r->has_rod || r->rod.nsolution == 0 || r->rod.npoint < 2) {
         return OK;
     }
     TRY(rod_show_make(&r->rod, &show));
     rods_sheet s = {.r = r, .show = &show, .scene = rod_scene_make(r, &show)};
     arrange(&s);
+    rod_show_words(&show, which, sizeof which);
+    (void)snprintf(title, sizeof title, "Shapes of the rod for %s", which);
     const picture p = {
         .name = "rods",
-        .title = "Shapes of the rod for all solutions",
+        .title = title,
         .width = sheet_width,
         .height = sheet_height(&s),
         .draw = draw,

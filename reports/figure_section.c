@@ -16,11 +16,52 @@ box section_sketch_box(const section_sketch *s)
     return (box){28, 66, 500, s->npath > 0 ? 640 - 166 : 540 - 86};
 }
 
+// without the row of the tendons beside the section
+static double base_height(const section_sketch *s)
+{
+    return s->npath > 0 ? 640 : 540;
+}
+
+static double sheet_height(const section_sketch *s)
+{
+    return base_height(s) + (section_tendons(s) > 0 ? 20 : 0);
+}
+
+bool section_tendon(const section_sketch *s, int tendon, double at[2])
+{
+    const rod_result *rod = &s->r->rod;
+    if (!s->r->has_rod || rod->nsolution == 0 || rod->npoint < 2 || !rod->tendon_path) {
+        return false;
+    }
+    const double *along = rod->run[0].s, here = s->r->section.station[0].s;
+    const double(*path)[2] = (const double(*)[2]) & rod->tendon_path[tendon * rod->npoint];
+    int k = 1;
+    while (k < rod->npoint - 1 && along[k] < here) {
+        k++;
+    }
+    const double step = along[k] - along[k - 1];
+    const double part = step > 0 ? fmin(fmax((here - along[k - 1]) / step, 0), 1) : 0;
+    for (int d = 0; d < 2; d++) {
+        at[d] = (1 - part) * path[k - 1][d] + part * path[k][d];
+    }
+    return here <= rod->tendon_end[tendon] && isfinite(at[0]) && isfinite(at[1]);
+}
+
+int section_tendons(const section_sketch *s)
+{
+    int count = 0;
+    double at[2];
+    for (int i = 0; s->r->has_rod && i < s->r->rod.ntendon; i++) {
+        count += section_tendon(s, i, at);
+    }
+    return count;
+}
+
 static status draw(canvas *c, const void *data)
 {
     const section_sketch *s = data;
     const run_result *r = s->r;
-    const double height = s->npath > 0 ? 640 : 540;
+    const double height = base_height(s);
 
     say(c, 28, 36, LOOK_TITLE, "Cross section at s = %s mm",
         number_short(r->section.station[0].s * 1e3, 5).text);
@@ -29,7 +70,7 @@ static status draw(canvas *c, const void *data)
         say(c, 36, height - 74, look_inked(LOOK_SMALL, INK_ACCENT),
             "thick line: the stiffness centre's way from base (●) to tip (○)");
     }
-    section_panel(c, s, (box){568, 76, sheet_width - 568 - 30, height - 76 - 20});
+    section_panel(c, s, (box){568, 76, sheet_width - 568 - 30, sheet_height(s) - 76 - 20});
     return section_drawing(c, s, section_sketch_box(s));
 }
 
@@ -96,7 +137,7 @@ status figure_section(const run_result *r, const char *dir)
         .name = "section",
         .title = "Cross section with its materials, centres and principal axes",
         .width = sheet_width,
-        .height = s.npath > 0 ? 640 : 540,
+        .height = sheet_height(&s),
         .draw = draw,
         .data = &s,
     };

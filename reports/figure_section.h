@@ -27,6 +27,10 @@ typedef struct sketch_frame {
 } sketch_frame;
 sketch_frame sketch_frame_of(const mesh *m, box at);
 
+// Of a rod's tendons those that pass the first station, and where [m].
+bool section_tendon(const section_sketch *s, int tendon, double at[2]);
+int section_tendons(const section_sketch *s); // how many
+
 status section_drawing(canvas *c, const section_sketch *s, box at);
 void section_panel(canvas *c, const section_sketch *s, box at);
 
@@ -34,4 +38,5 @@ void mark_geometric_centre(canvas *c, double x, double y);
 void mark_stiffness_centre(canvas *c, double x, double y);
 void mark_shear_centre(canvas *c, double x, double y);
 void mark_mass_centre(canvas *c, double x, double y);
+void mark_tendon(canvas *c, double x, double y);
 void kern_stroke(canvas *c); // of the path at hand

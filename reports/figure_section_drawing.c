@@ -148,6 +148,25 @@ void mark_mass_centre(canvas *c, double x, double y)
     }
 }
 
+// seen end on
+void mark_tendon(canvas *c, double x, double y)
+{
+    canvas_circle(c, x, y, 4.2);
+    canvas_fill_stroke(c, PAPER, INK, 1.3);
+    canvas_circle(c, x, y, 1.5);
+    canvas_fill(c, INK);
+}
+
+static void tendons(canvas *c, const section_sketch *s, const view *v)
+{
+    for (int i = 0; s->r->has_rod && i < s->r->rod.ntendon; i++) {
+        double at[2];
+        if (section_tendon(s, i, at)) {
+            mark_tendon(c, view_x(v, at[0]), view_y(v, at[1]));
+        }
+    }
+}
+
 void kern_stroke(canvas *c)
 {
     canvas_dash(c, 2.5, 2.5);
@@ -245,6 +264,7 @@ status section_drawing(canvas *c, const section_sketch *s, box at)
     }
     kern(c, s, &v);
     centre_path(c, s, &v);
+    tendons(c, s, &v);
     if (s->answers && s->answers->mass.known) {
         const double *at = s->answers->mass.mass_centre;
         mark_mass_centre(c, view_x(&v, at[0]), view_y(&v, at[1]));

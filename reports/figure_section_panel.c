@@ -73,6 +73,18 @@ static void place_row(canvas *c, box at, double y, const char *name, const doubl
         number_fixed(place[0] * 1e3, 4).text, number_fixed(place[1] * 1e3, 4).text);
 }
 
+static double tendon_row(canvas *c, const section_sketch *s, box at, double y)
+{
+    const int count = section_tendons(s);
+    if (count > 0) {
+        y += row + 1;
+        mark_tendon(c, at.x + 10, y - 4);
+        say(c, at.x + 30, y, LOOK_TEXT, count > 1 ? "tendons" : "tendon");
+        say(c, at.x + at.w, y, look_aligned(LOOK_SMALL, TEXT_RIGHT), "%d", count);
+    }
+    return y;
+}
+
 static double kern_and_mass(canvas *c, const section_sketch *s, box at, double y)
 {
     if (s->answers && s->answers->mass.known) {
@@ -106,6 +118,7 @@ static double places(canvas *c, const section_sketch *s, box at, double y)
     mark_shear_centre(c, at.x + 10, y - 4);
     place_row(c, at, y, "shear centre", s->centres->shear_centre);
     y = kern_and_mass(c, s, at, y);
+    y = tendon_row(c, s, at, y);
     y += row + 1;
     if (s->centres->isotropic) {
         say(c, at.x, y, LOOK_SMALL, "No preferred axes: every direction bends alike.");

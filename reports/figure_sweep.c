@@ -10,55 +10,84 @@ enum { PANELS = 6, COLUMNS = 3, DOTS_UP_TO = 25, MOST_POINTS = 6000 };
 
 static const double side = 28, head = 74, sheet_width = 1000, panel_height = 190;
 static const double axis_left = 62, axis_below = 50, gap = 8, caption = 20;
+static const double limit_seen_from = 0.25; // of it; curves far below keep their own range
 
-static double tip_x(const struct rod_run *run)
+static double tip_x(const run_result *r, const struct rod_run *run)
 {
+    (void)r;
     return 1e3 * run->tip.p.a[0];
 }
 
-static double tip_y(const struct rod_run *run)
+static double tip_y(const run_result *r, const struct rod_run *run)
 {
+    (void)r;
     return 1e3 * run->tip.p.a[1];
 }
 
-static double tip_z(const struct rod_run *run)
+static double tip_z(const run_result *r, const struct rod_run *run)
 {
+    (void)r;
     return 1e3 * run->tip.p.a[2];
 }
 
-static double bend(const struct rod_run *run)
+static double bend(const run_result *r, const struct rod_run *run)
 {
+    (void)r;
     return run->total_bend_rad * 180 / acos(-1.0);
 }
 
-static double strain(const struct rod_run *run)
+static double strain(const run_result *r, const struct rod_run *run)
 {
+    (void)r;
     return 100 * run->largest_strain;
 }
 
-static double eigenvalue(const struct rod_run *run)
+static double strain_share(const run_result *r, const struct rod_run *run)
 {
+    int whose = -1;
+    return result_strain_share(r, run, &whose);
+}
+
+static double eigenvalue(const run_result *r, const struct rod_run *run)
+{
+    (void)r;
     return run->eigenvalue;
 }
 
-static const struct {
+typedef struct sweep_panel {
     const char *name, *label;
-    double (*value)(const struct rod_run *run);
-} panels[PANELS] = {
+    double (*value)(const run_result *r, const struct rod_run *run);
+} sweep_panel;
+
+static const sweep_panel panels[PANELS] = {
     {"Tip, x", "x, mm", tip_x},
     {"Tip, y", "y, mm", tip_y},
     {"Tip, z", "z, mm", tip_z},
     {"Total bend", "bend, °", bend},
-    {"Largest strain of a material", "strain, %", strain},
+    {"Largest strain over its material's limit", "strain over limit", strain_share},
     {"Smallest eigenvalue (critical at 0)", "eigenvalue (1: at rest)", eigenvalue},
 };
+// where no material has a limit
+static const sweep_panel strain_alone = {"Largest strain of a material", "strain, %", strain};
 
 typedef struct sweep_sheet {
     const run_result *r;
     const rod_show *show;
     char along[160]; // the label of what is swept
     int npanel;      // the last one only where any eigenvalue is known
+    bool limited;    // a material has a strain up to which it is linear
 } sweep_sheet;
+
+static const sweep_panel *panel_of(const sweep_sheet *s, int panel)
+{
+    const sweep_panel *p = &panels[panel];
+    return p->value == strain_share && !s->limited ? &strain_alone : p;
+}
+
+static double value_of(const sweep_sheet *s, int panel, int solution)
+{
+    return panel_of(s, panel)->value(s->r, &s->r->rod.run[solution]);
+}
 
 static double abscissa(const sweep_sheet *s, const rod_line *l, int solution)
 {
@@ -72,7 +101,7 @@ static plot panel_plot(const sweep_sheet *s, int panel, box at)
     for (int i = 0; i < s->show->nline; i++) {
         const rod_line *l = &s->show->line[i];
         for (int k = l->first; k < l->first + l->count; k++) {
-            const double x = abscissa(s, l, k), y = panels[panel].value(&s->r->rod.run[k]);
+            const double x = abscissa(s, l, k), y = value_of(s, panel, k);
             p.x0 = fmin(p.x0, x);
             p.x1 = fmax(p.x1, x);
             p.y0 = fmin(p.y0, y);
@@ -84,6 +113,10 @@ static plot panel_plot(const sweep_sheet *s, int panel, box at)
     }
     if (panel == PANELS - 1) {
         p.y0 = fmin(p.y0, 0); // where it is critical
+    }
+    if (panel_of(s, panel)->value == strain_share) {
+        p.y0 = fmin(p.y0, 0);
+        p.y1 = p.y1 > limit_seen_from ? fmax(p.y1, 1) : p.y1;
     }
     range_pad(&p.x0, &p.x1, 0.02, 1e-12);
     if (panel < 3 && p.y1 - p.y0 < 1e-9 * most) {
@@ -100,7 +133,7 @@ static void line_draw(canvas *c, const sweep_sheet *s, const plot *p, int panel,
     const int stride = 1 + rod->nsolution / MOST_POINTS, end = l->first + l->count;
     bool pen = false;
     for (int k = l->first; k < end; k += stride) {
-        const double y = panels[panel].value(&rod->run[k]);
+        const double y = value_of(s, panel, k);
         if (!isfinite(y)) {
             pen = false;
             continue;
@@ -120,7 +153,7 @@ static void dots(canvas *c, const sweep_sheet *s, const plot *p, int panel, cons
     const colour white = {1, 1, 1, 1};
     for (int k = l->first; k < l->first + l->count; k++) {
         const struct rod_run *run = &s->r->rod.run[k];
-        const double y = panels[panel].value(run);
+        const double y = value_of(s, panel, k);
         if (isfinite(y) && (s->r->rod.nsolution <= DOTS_UP_TO || run->fraction < 1)) {
             canvas_circle(c, plot_x(p, abscissa(s, l, k)), plot_y(p, y), 2.8);
             canvas_fill_stroke(c, run->fraction < 1 ? white : s->show->ink[k],
@@ -129,34 +162,30 @@ static void dots(canvas *c, const sweep_sheet *s, const plot *p, int panel, cons
     }
 }
 
-// the strains up to which the materials are linear, where they lie within the plot
-static void strain_limits(canvas *c, const run_result *r, const plot *p)
+// the strain up to which the material is linear
+static void strain_limit(canvas *c, const plot *p)
 {
-    for (int i = 0; i < r->nmaterial; i++) {
-        const double limit = 100 * r->materials[i].linear_strain;
-        if (limit > p->y0 && limit < p->y1) {
-            canvas_segment(c, p->at.x, plot_y(p, limit), p->at.x + p->at.w, plot_y(p, limit));
-            canvas_dash(c, 4, 3);
-            canvas_stroke(c, INK_ACCENT, 1);
-            canvas_dash(c, 0, 0);
-            // neighbours on opposite sides
-            const text_look look = look_haloed(look_inked(LOOK_TICK, INK_ACCENT));
-            say_within(c, p->at.x + (i % 2 ? p->at.w - 5 : 5), plot_y(p, limit) - 4, p->at.w / 2,
-                       look_aligned(look, i % 2 ? TEXT_RIGHT : TEXT_LEFT), r->materials[i].name);
-        }
+    const double y = plot_y(p, 1);
+    if (p->y1 < 1) {
+        return;
     }
+    canvas_segment(c, p->at.x, y, p->at.x + p->at.w, y);
+    canvas_dash(c, 4, 3);
+    canvas_stroke(c, INK_ACCENT, 1);
+    canvas_dash(c, 0, 0);
+    say(c, p->at.x + 5, y - 4, look_haloed(look_inked(LOOK_TICK, INK_ACCENT)), "limit");
 }
 
 static void panel_draw(canvas *c, const sweep_sheet *s, int panel, box at)
 {
     const plot p = panel_plot(s, panel, at);
-    say(c, at.x, at.y - 7, LOOK_HEADING, "%s", panels[panel].name);
-    plot_frame(c, &p, "", panels[panel].label);
+    say(c, at.x, at.y - 7, LOOK_HEADING, "%s", panel_of(s, panel)->name);
+    plot_frame(c, &p, "", panel_of(s, panel)->label);
     say_within(c, at.x + at.w / 2, at.y + at.h + 31, at.w,
                look_aligned(look_inked(LOOK_SMALL, INK), TEXT_CENTRE), s->along);
     canvas_clip(c, at.x, at.y, at.w, at.h);
-    if (panels[panel].value == strain) {
-        strain_limits(c, s->r, &p);
+    if (panel_of(s, panel)->value == strain_share) {
+        strain_limit(c, &p);
     }
     for (int i = 0; i < s->show->nline; i++) {
         line_draw(c, s, &p, panel, &s->show->line[i]);
@@ -191,7 +220,8 @@ static status draw(canvas *c, const void *data)
                ROD_NOTE_NONE);
     say(c, side, sheet_height(s) - 12, LOOK_SMALL,
         "Geometric centre of the tip, in the world. Hollow dots: stopped at a limit point before "
-        "all was applied.");
+        "all was applied.%s",
+        s->limited ? " A material's limit: its linear strain." : "");
     return OK;
 }
 
@@ -229,6 +259,9 @@ status figure_sweep(const run_result *r, const char *dir)
     TRY(rod_show_make(&r->rod, &show));
     if (!show.sweep) {
         goto done;
+    }
+    for (int i = 0; i < r->nmaterial; i++) {
+        s.limited = s.limited || r->materials[i].linear_strain > 0;
     }
     for (int i = 0; i < r->rod.nsolution; i++) {
         s.npanel = isfinite(r->rod.run[i].eigenvalue) ? PANELS : s.npanel;

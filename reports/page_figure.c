@@ -6,6 +6,7 @@
 #include "reports/base64.h"
 #include "reports/svg_tidy.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -74,6 +75,15 @@ done:
     return st;
 }
 
+// of the widest sheet: letters are alike from figure to figure
+static double part_of_column(const char *svg)
+{
+    double mm = 0;
+    const char *width = strstr(svg, " width=\"");
+    const bool told = width && sscanf(width, " width=\"%lfmm\"", &mm) == 1 && mm > 0;
+    return told ? fmin(mm / (1000 * SHEET_MM), 1) : 1;
+}
+
 status page_figure_under(bytes *page, const char *dir, const char *name, const char *over,
                          const char *caption)
 {
@@ -84,7 +94,7 @@ status page_figure_under(bytes *page, const char *dir, const char *name, const c
     // without the XML declaration, which HTML does not know
     const char *element = svg.data ? svg_element(svg.data) : NULL;
     if (element) {
-        PAGE("<figure>\n");
+        PAGE("<figure style=\"--part:%.4g\">\n", part_of_column(element));
         TRY(put_picture(page, dir, name, element, over));
         PAGE("<figcaption>%s</figcaption>\n</figure>\n", caption);
     }

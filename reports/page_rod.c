@@ -1,8 +1,10 @@
 // reports/page_rod.c
 #include "reports/page_kit.h"
 #include "reports/page_rod_parts.h"
+#include "reports/rod_show.h"
 
 #include <math.h>
+#include <stdio.h>
 
 static const double error_limit = 1e-2; // of the length: what is worse is no answer
 
@@ -203,6 +205,16 @@ done:
     return st;
 }
 
+// a picture holds as many shapes as can be told apart
+static status figure_of_some(bytes *page, const rod_show *show, const char *dir, const char *name,
+                             const char *what)
+{
+    char which[80], caption[200];
+    rod_show_words(show, which, sizeof which);
+    (void)snprintf(caption, sizeof caption, "%s of %s.", what, which);
+    return page_figure(page, dir, name, caption);
+}
+
 status page_rod(bytes *page, const run_result *r, const char *dir)
 {
     status st = OK;
@@ -211,22 +223,27 @@ status page_rod(bytes *page, const run_result *r, const char *dir)
         return OK;
     }
     const rod_rows rows = rod_rows_choose(rod);
+    rod_show show = {0};
 
+    TRY(rod_show_make(rod, &show));
     TRY(heading(page, r));
     TRY(page_rod_warnings(page, r));
     TRY(page_rod_view(page, r));
-    TRY(page_figure(page, dir, "rods", "Shapes of all solutions."));
+    TRY(figure_of_some(page, &show, dir, "rods", "Shapes"));
     TRY(page_rod_loads(page, r));
     TRY(strain_warning(page, r));
     TRY(shapes(page, r, &rows));
     TRY(page_figure(page, dir, "sweep", "Tip, bend and strain along the sweep."));
     TRY(page_rod_equilibria(page, r, &rows));
     TRY(page_strains(page, r));
-    TRY(page_figure(page, dir, "curvature",
-                    "Curvature, twist and strains along the rod, in the body frame."));
-    TRY(page_figure(page, dir, "wrench", "The section's force and moment along the rod."));
-    TRY(page_figure(page, dir, "tendons", "Paths of the tendons, and the tension along each."));
+    TRY(figure_of_some(page, &show, dir, "curvature",
+                       "Curvature, twist and strains along the rod, in the body frame,"));
+    TRY(figure_of_some(page, &show, dir, "wrench",
+                       "The section's force and moment along the rod,"));
+    TRY(figure_of_some(page, &show, dir, "tendons",
+                       "Paths of the tendons, and the tension along each,"));
 
 done:
+    rod_show_free(&show);
     return st;
 }

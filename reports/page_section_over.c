@@ -137,6 +137,23 @@ done:
     return st;
 }
 
+// each of them, where they are few enough to be told by name
+static status tendons(over *o)
+{
+    status st = OK;
+    enum { MOST_NAMED = 32 };
+    const run_result *r = o->s->r;
+    for (int i = 0; r->has_rod && r->rod.ntendon <= MOST_NAMED && i < r->rod.ntendon; i++) {
+        char name[RESULT_NAME + 10];
+        double at[2];
+        (void)snprintf(name, sizeof name, "tendon %s", r->rod.tendon_name[i]);
+        TRY(section_tendon(o->s, i, at) ? centre(o, name, at) : OK);
+    }
+
+done:
+    return st;
+}
+
 // a band along the axis, wide enough to point at
 static status axis(over *o, const char *name, double EI, double angle)
 {
@@ -172,6 +189,7 @@ static status parts(over *o)
         TRY(axis(o, "x′", c->EI[0], c->principal_angle));
         TRY(axis(o, "y′", c->EI[1], c->principal_angle + 0.5 * acos(-1.0)));
     }
+    TRY(tendons(o));
     if (o->s->answers && o->s->answers->mass.known) {
         TRY(centre(o, "mass centre", o->s->answers->mass.mass_centre));
     }
@@ -195,8 +213,11 @@ status page_section_figure(bytes *page, const run_result *r, const char *dir)
         TRY(mesh_is_on_paper(&o) ? parts(&o) : OK);
     }
     TRY(page_figure_under(page, dir, "section", over_text.data,
-                          "The section at the first station, to scale. Point at, tap or tab to a "
-                          "material, a centre or an axis for its values."));
+                          s.r && section_tendons(&s) > 0
+                              ? "The section at the first station, to scale. Point at, tap or tab "
+                                "to a material, a tendon, a centre or an axis for its values."
+                              : "The section at the first station, to scale. Point at, tap or tab "
+                                "to a material, a centre or an axis for its values."));
 
 done:
     section_sketch_free(&s);

@@ -55,7 +55,8 @@ static const char *const style[] = {
     "td.zero{color:var(--none)}td.unit{text-align:left}\n",
     "figure{margin:1.2rem 0;overflow-x:auto;border:1px solid "
     "var(--line);border-radius:6px;padding:6px}\n"
-    "figure svg,figure img{display:block;width:100%;height:auto;min-width:620px}\n"
+    "figure svg,figure img{display:block;width:calc(100%*var(--part,1));height:auto;"
+    "min-width:calc(620px*var(--part,1))}\n"
     "figcaption{color:var(--soft);font-size:.86rem;padding:4px 8px 6px;position:sticky;left:0}\n"
     ".good{color:var(--good);font-weight:600}.bad{color:var(--bad);font-weight:600}"
     ".skip{color:var(--soft)}\n"

@@ -138,10 +138,10 @@ void run_result_free(run_result *r)
     *r = (run_result){0};
 }
 
-int result_beyond_linear(const run_result *r, const struct rod_run *run)
+double result_strain_share(const run_result *r, const struct rod_run *run, int *whose)
 {
     int worst = -1;
-    double most = 1;
+    double most = -1;
     for (int i = 0; i < r->nmaterial; i++) {
         const double limit = r->materials[i].linear_strain;
         const double strain = run->strain ? fabs(run->strain[i].value) : run->largest_strain;
@@ -150,7 +150,14 @@ int result_beyond_linear(const run_result *r, const struct rod_run *run)
             worst = i;
         }
     }
-    return worst;
+    *whose = worst;
+    return worst < 0 ? NAN : most;
+}
+
+int result_beyond_linear(const run_result *r, const struct rod_run *run)
+{
+    int worst = -1;
+    return result_strain_share(r, run, &worst) > 1 ? worst : -1;
 }
 
 const section_answers *result_answers(const run_result *r, int station)

@@ -181,6 +181,9 @@ typedef struct run_result {
 
 void run_result_free(run_result *r);
 
+// The largest of the materials' strains in a solution, each over its material's linear strain, and
+// whose it is; NAN and -1 where none is told.
+double result_strain_share(const run_result *r, const struct rod_run *run, int *whose);
 // The material that a solution of the rod strains furthest past its linear strain, over that
 // strain; -1: none, or none is told.
 int result_beyond_linear(const run_result *r, const struct rod_run *run);

@@ -155,6 +155,16 @@ int rod_spread(int n, int most, int *out)
     return count;
 }
 
+void rod_show_words(const rod_show *s, char *words, size_t size)
+{
+    if (s->nshown == s->rod->nsolution) {
+        (void)snprintf(words, size, "all solutions");
+    } else {
+        (void)snprintf(words, size, "%d of %d solutions, %s", s->nshown, s->rod->nsolution,
+                       s->sweep ? "spread over the sweep" : "at equal steps");
+    }
+}
+
 static status choose(rod_show *s)
 {
     status st = OK;

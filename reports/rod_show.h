@@ -40,6 +40,9 @@ typedef struct rod_show {
 status rod_show_make(const rod_result *rod, rod_show *out);
 void rod_show_free(rod_show *s);
 
+// "all solutions"; where those are too many to be drawn "24 of 81 solutions, spread over the sweep"
+void rod_show_words(const rod_show *s, char *words, size_t size);
+
 // The line to which a solution belongs.
 int rod_show_line_of(const rod_show *s, int solution);
 

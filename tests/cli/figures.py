@@ -18,7 +18,7 @@ FAMILY = "DejaVuSans"
 UNITS = {"mm", "mm²", "N", "N mm", "N mm²", "MPa", "1/m", "%", "°", "rad", "J", "kg/m", "m/s²", "s", "ms", "targets",
          "% of the wall"}
 # axes of plain numbers
-PLAIN = re.compile(r"log₁₀ of the miss|eigenvalue \(1: at rest\)|factor of .*|evaluations of the island|relative error.*|unknowns.*|friction")
+PLAIN = re.compile(r"log₁₀ of the miss|eigenvalue \(1: at rest\)|factor of .*|strain over limit|evaluations of the island|relative error.*|unknowns.*|friction")
 
 faults = []
 

@@ -196,6 +196,11 @@ static void the_material_past_its_own_limit_is_named(run_result *r)
     CHECK(result_beyond_linear(r, run) == -1);
     r->materials[1].linear_strain = 0.01;
     CHECK(result_beyond_linear(r, run) == 1);
+    int whose = -1;
+    CHECK_NEAR(result_strain_share(r, run, &whose), fabs(run->strain[1].value) / 0.01, 1e-12);
+    CHECK(whose == 1);
+    r->materials[0].linear_strain = r->materials[1].linear_strain = 0;
+    CHECK(isnan(result_strain_share(r, run, &whose)) && whose == -1);
 }
 
 int main(void)

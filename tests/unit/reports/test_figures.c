@@ -216,6 +216,9 @@ static void sweeps_and_loads_are_drawn(void)
     check_svg(dir, "sweep");
     check_png(dir, "sweep");
     check_svg(dir, "rods");
+    char *rods = whole_file(dir, "rods.svg", &length);
+    CHECK(rods && strstr(rods, "rod for 24 of 120 solutions, spread over the sweep</title>"));
+    free(rods);
     synthetic_free(&r);
     scratch_free(dir);
 }

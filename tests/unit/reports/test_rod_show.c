@@ -125,6 +125,9 @@ static void many_solutions_are_sorted_soon(void)
     }
     CHECK_OK(rod_show_make(&rod, &s));
     CHECK(s.nshown == 60 && s.shown[59] == 19999);
+    char words[80];
+    rod_show_words(&s, words, sizeof words);
+    CHECK(strcmp(words, "60 of 20000 solutions, at equal steps") == 0);
     rod_show_free(&s);
     release(&rod);
 }
