@@ -222,11 +222,11 @@ static void marks_of_no_numbers_are_left_out(void)
     const double x = r.section_mesh.xyz[0];
     for (int i = 0; i < 2; i++) {
         char *page = page_of(&r, dir);
-        CHECK(count_of(page, "<g class=\"over\"") == 7); // materials, axes and centres
+        CHECK(count_of(page, "<g class=\"over\"") == 9); // materials, axes, centres, tendons
         free(page);
         r.section.station[0].centres.shear_centre[0] = hostile[i];
         page = page_of(&r, dir);
-        CHECK(count_of(page, "<g class=\"over\"") == 6);
+        CHECK(count_of(page, "<g class=\"over\"") == 8);
         CHECK(count_of(page, "\"nan") + count_of(page, "\"inf") == 0);
         free(page);
         r.section.station[0].centres.shear_centre[0] = 0;
