@@ -10,13 +10,43 @@ static const char *verdict(const run_result *r)
     return compare_out_of_tolerance(r) > 0 ? "out of tolerance" : "all agree";
 }
 
-static status key_number(bytes *page, const char *name, const char *value, const char *unit)
+// `mark` is markup that qualifies it
+static status key_number_marked(bytes *page, const char *name, const char *value, const char *unit,
+                                const char *mark)
 {
     status st = OK;
 
     PAGE("<div><dt>");
     TRY(page_escaped(page, name));
-    PAGE("</dt><dd>%s <small>%s</small></dd></div>\n", value, unit);
+    PAGE("</dt><dd>%s <small>%s</small>%s</dd></div>\n", value, unit, mark);
+
+done:
+    return st;
+}
+
+static status key_number(bytes *page, const char *name, const char *value, const char *unit)
+{
+    return key_number_marked(page, name, value, unit, "");
+}
+
+// how many shapes strain a material past what keeps it linear: the bend is that of a linear one
+static status largest_bend(bytes *page, const run_result *r)
+{
+    status st = OK;
+    char mark[160] = "";
+    double most = 0;
+    int beyond = 0;
+    for (int i = 0; i < r->rod.nsolution; i++) {
+        most = fmax(most, r->rod.run[i].total_bend_rad);
+        beyond += result_beyond_linear(r, &r->rod.run[i]) >= 0;
+    }
+    if (beyond > 0) {
+        (void)snprintf(mark, sizeof mark,
+                       "<a href=\"#linear\">⚠ %d of %d shapes past the linear strain</a>", beyond,
+                       r->rod.nsolution);
+    }
+    TRY(key_number_marked(page, "Largest bend of the rod",
+                          number_fixed(most * 180 / acos(-1.0), 1).text, "deg", mark));
 
 done:
     return st;
@@ -53,12 +83,7 @@ static status key_numbers(bytes *page, const run_result *r)
                        "N mm²"));
     }
     if (r->has_rod && r->rod.nsolution > 0) {
-        double most = 0;
-        for (int i = 0; i < r->rod.nsolution; i++) {
-            most = fmax(most, r->rod.run[i].total_bend_rad);
-        }
-        TRY(key_number(page, "Largest bend of the rod",
-                       number_fixed(most * 180 / acos(-1.0), 1).text, "deg"));
+        TRY(largest_bend(page, r));
     }
     for (int i = 0; r->has_segment && i < r->segment.nload && i < 2; i++) {
         const double *w = r->segment.load[i].tip_rotation;
@@ -88,7 +113,9 @@ static status header(bytes *page, const run_result *r)
         {r->has_section, "section", "Cross section"},
         {r->has_rod, "rod", "Rod"},
         {r->has_measured, "measured",
-         r->measured.synthetic ? "Synthetic shapes" : "Measured shapes"},
+         r->measured.nline == 0  ? "The paper's shapes"
+         : r->measured.synthetic ? "Synthetic shapes"
+                                 : "Measured shapes"},
         {r->has_segment, "segment", "3D segment"},
         {r->fit.there, "fit", "Fit"},
         {r->reach.there, "reach", "Where the scopes reach"},

@@ -3,14 +3,24 @@
 #include "reports/measured_show.h"
 #include "reports/page_kit.h"
 
-static status head(bytes *page, bool paper)
+// Without shapes of the case's own there is nothing to hold the model against: the paper's errors
+// alone.
+static bool has_lines(const run_result *r)
+{
+    return r->measured.nline > 0;
+}
+
+static status head(bytes *page, bool lines, bool paper)
 {
     status st = OK;
     PAGE("<thead><tr><th class=\"text\">shape</th><th class=\"text\">tendon</th>"
-         "<th>tension<small>N</small></th><th>tip error<small>mm (%% of L)</small></th>"
-         "<th>shape error<small>%%</small></th><th>rms distance<small>mm</small></th>"
-         "<th>largest<small>mm at s in mm</small></th><th>tangents at the "
-         "tip<small>deg apart</small></th>");
+         "<th>tension<small>N</small></th>");
+    if (lines) {
+        PAGE("<th>tip error<small>mm (%% of L)</small></th>"
+             "<th>shape error<small>%%</small></th><th>rms distance<small>mm</small></th>"
+             "<th>largest<small>mm at s in mm</small></th><th>tangents at the "
+             "tip<small>deg apart</small></th>");
+    }
     if (paper) {
         PAGE("<th>the paper's tip error<small>mm (%% of L)</small></th>"
              "<th>the paper's shape error<small>%%</small></th>");
@@ -29,8 +39,11 @@ static status row(bytes *page, const run_result *r, const measured_row *one, boo
     TRY(page_escaped(page, c.name));
     PAGE("%s</td><td class=\"text\">", one->line && r->measured.synthetic ? " (synthetic)" : "");
     TRY(page_escaped(page, c.tendon));
-    PAGE("</td><td>%s</td><td>%s</td><td>%s</td><td>%s</td><td>%s</td><td>%s</td>", c.tension,
-         c.tip, c.shape, c.rms, c.largest, c.angle);
+    PAGE("</td><td>%s</td>", c.tension);
+    if (has_lines(r)) {
+        PAGE("<td>%s</td><td>%s</td><td>%s</td><td>%s</td><td>%s</td>", c.tip, c.shape, c.rms,
+             c.largest, c.angle);
+    }
     if (paper) {
         PAGE("<td>%s</td><td>%s</td>", c.paper_tip, c.paper_shape);
     }
@@ -65,9 +78,9 @@ static status table(bytes *page, const run_result *r)
     measured_row rows[MEASURED_ROWS];
     const int n = measured_rows(r, rows);
     const bool paper = measured_has_paper(r);
-    PAGE("<div class=\"scroll\"><table>\n<caption>The model against %s</caption>\n",
-         measured_word(r));
-    TRY(head(page, paper));
+    PAGE("<div class=\"scroll\"><table>\n<caption>%s against %s</caption>\n",
+         has_lines(r) ? "The model" : "The paper's model", measured_word(r));
+    TRY(head(page, has_lines(r), paper));
     for (int i = 0; i < n; i++) {
         TRY(row(page, r, &rows[i], paper));
     }
@@ -86,13 +99,17 @@ static status definitions(bytes *page, const run_result *r)
     status st = OK;
     PAGE(
         "<p class=\"note\">Tip error: |p(L) − p<sub>measured</sub>(L)|. Shape error: the mean over "
-        "the measured arclength of |p(s) − p<sub>measured</sub>(s)| / s. Uncertainties are "
-        "standard "
-        "ones, of the measurement alone. The arclength is the unloaded rod's%s.</p>\n",
-        r->measured.arclength == ARCLENGTH_REST
-            ? ", as the data has it"
-            : ": a measured one is taken back to it by the model's stretch, tip to tip where the "
-              "tip was measured");
+        "the measured arclength of |p(s) − p<sub>measured</sub>(s)| / s.");
+    if (!has_lines(r)) {
+        PAGE("</p>\n");
+        return OK;
+    }
+    PAGE(" Uncertainties are standard "
+         "ones, of the measurement alone. The arclength is the unloaded rod's%s.</p>\n",
+         r->measured.arclength == ARCLENGTH_REST
+             ? ", as the data has it"
+             : ": a measured one is taken back to it by the model's stretch, tip to tip where the "
+               "tip was measured");
 
 done:
     return st;

@@ -55,18 +55,38 @@ done:
     return st;
 }
 
+// what its tolerance is made of, or why it is skipped, stands under a row's name: a column of such
+// words would push the verdicts off the sheet
+static status name_and_reason(bytes *page, const compare_row *row)
+{
+    status st = OK;
+    PAGE("<tr><td class=\"text\">");
+    TRY(page_escaped(page, row->what));
+    if (row->reason[0]) {
+        PAGE("<small>");
+        TRY(page_escaped(page, row->reason));
+        PAGE("</small>");
+    }
+
+done:
+    return st;
+}
+
+// the size of a difference that should be none needs no more digits than that
+enum { DIGITS_OF_VALUES = 8, DIGITS_OF_DIFFERENCES = 2 };
+
 static status compare_line(bytes *page, const compare_row *row)
 {
     status st = OK;
+    const int digits = row->other == 0 ? DIGITS_OF_DIFFERENCES : DIGITS_OF_VALUES;
 
-    PAGE("<tr><td class=\"text\">");
-    TRY(page_escaped(page, row->what));
+    TRY(name_and_reason(page, row));
     if (row->skipped) {
         PAGE("</td><td></td><td></td><td></td><td></td><td></td><td></td><td "
              "class=\"skip\">skipped</td>");
     } else {
-        PAGE("</td><td>%s</td><td>%s</td><td class=\"unit\">", number_digits(row->ours, 8).text,
-             number_digits(row->other, 8).text);
+        PAGE("</td><td>%s</td><td>%s</td><td class=\"unit\">",
+             number_digits(row->ours, digits).text, number_digits(row->other, digits).text);
         TRY(unit_of(page, row->unit));
         PAGE("</td><td>%s</td><td>%s</td>", number_digits(row->difference, 2).text,
              number_digits(row->tolerance, 2).text);
@@ -74,9 +94,7 @@ static status compare_line(bytes *page, const compare_row *row)
         PAGE("<td class=\"%s\">%s</td>", row->ok ? "good" : "bad",
              row->ok ? "✓ agrees" : "✗ out of tolerance");
     }
-    PAGE("<td class=\"text\">");
-    TRY(page_escaped(page, row->reason));
-    PAGE("</td></tr>\n");
+    PAGE("</tr>\n");
 
 done:
     return st;
@@ -112,12 +130,12 @@ static status group_table(bytes *page, const run_result *r, size_t group)
         }
         if (rows++ == 0) {
             PAGE("<div class=\"scroll\"><table>\n<caption>%s</caption>\n<thead>"
-                 "<tr><th>what</th><th>ours</th><th>other</th><th class=\"text\">unit</th>",
+                 "<tr><th>what<small>and what the tolerance is made "
+                 "of</small></th><th>ours</th><th>other</th><th class=\"text\">unit</th>",
                  groups[group].title);
             PAGE("<th>difference<small>relative</small></th><th>tolerance<small>relative"
                  "</small></th><th>of the band<small>difference over tolerance</small></th>"
-                 "<th>verdict</th><th class=\"text\">what the tolerance is made of</th></tr>"
-                 "</thead>\n<tbody>\n");
+                 "<th>verdict</th></tr></thead>\n<tbody>\n");
         }
         TRY(compare_line(page, &r->compare[i]));
     }

@@ -40,9 +40,9 @@ static status load_row(bytes *page, const run_result *r, int load, bool fig4)
 
     PAGE("<tr><td class=\"text\">");
     TRY(page_escaped(page, l->name ? l->name : "load"));
-    PAGE("</td><td>%s, %s</td><td>%s%s = %s %%", number_fixed(l->point[0] * 1e3, 4).text,
-         number_fixed(l->point[1] * 1e3, 4).text, number_fixed(l->shortening * 1e3, 5).text,
-         with_error(l->shortening_error * 1e3).text,
+    PAGE("</td><td>%s, %s</td><td>%s%s<small>%s %% of the length</small>",
+         number_fixed(l->point[0] * 1e3, 4).text, number_fixed(l->point[1] * 1e3, 4).text,
+         number_fixed(l->shortening * 1e3, 5).text, with_error(l->shortening_error * 1e3).text,
          number_fixed(l->shortening / r->segment_length * 100, 3).text);
     TRY(paper_word(page, paper.shortening, fig4));
     PAGE("</td><td>%s%s</td><td>%s%s", number_fixed(-l->tip_displacement[2] * 1e3, 5).text,
@@ -177,20 +177,44 @@ done:
     return st;
 }
 
-// nothing where springs or holds on the walls leave the middle no law
-static status centres(bytes *page, const segment_result *s)
+// Its error is that of the meshes. What the ends' layers leave in the middle of a segment this
+// short is no error of it, but keeps it from being the section's: told where one section is all
+// there is.
+static status apart_from_section(bytes *page, const run_result *r)
 {
     status st = OK;
+    if (r->has_section && r->section.nstation == 1) {
+        const double *found = r->segment.stiffness_centre;
+        const double *own = r->section.station[0].centres.stiffness_centre;
+        PAGE(" It lies %s mm from the section's own stiffness centre: what the layers at both ends "
+             "leave in the middle of a segment this long, beside the errors of both.",
+             number_digits(hypot(found[0] - own[0], found[1] - own[1]) * 1e3, 2).text);
+    }
+
+done:
+    return st;
+}
+
+// nothing where springs or holds on the walls leave the middle no law
+static status centres(bytes *page, const run_result *r)
+{
+    status st = OK;
+    const segment_result *s = &r->segment;
     if (isnan(s->stiffness_centre[0])) {
         return OK;
     }
     PAGE("<p>Centre found by the 3D solution (where a load leaves the middle uncurved): "
-         "(%s, %s) mm%s; where it leaves the tip unturned: ",
+         "(%s, %s) mm",
          number_fixed(s->stiffness_centre[0] * 1e3, 4).text,
-         number_fixed(s->stiffness_centre[1] * 1e3, 4).text,
-         with_error(s->stiffness_centre_error * 1e3).text);
-    PAGE("(%s, %s) mm.</p>\n", number_fixed(s->tip_centre[0] * 1e3, 4).text,
+         number_fixed(s->stiffness_centre[1] * 1e3, 4).text);
+    if (s->stiffness_centre_error > 0) {
+        PAGE("%s mm by the meshes alone", with_error(s->stiffness_centre_error * 1e3).text);
+    }
+    PAGE("; where it leaves the tip unturned: (%s, %s) mm.",
+         number_fixed(s->tip_centre[0] * 1e3, 4).text,
          number_fixed(s->tip_centre[1] * 1e3, 4).text);
+    TRY(apart_from_section(page, r));
+    PAGE("</p>\n");
 
 done:
     return st;
@@ -226,7 +250,7 @@ status page_segment(bytes *page, const run_result *r, const char *dir)
         fig4_note(r, note, sizeof note);
         PAGE("<p class=\"note\">%s</p>\n", note);
     }
-    TRY(centres(page, s));
+    TRY(centres(page, r));
     TRY(end_lengths(page, s));
 
 done:

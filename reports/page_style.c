@@ -15,8 +15,8 @@ static const char *const style[] = {
     "a3adb8;--line:#39424c;--tint:#1e242b;--accent:#6db3e6;--bad:#ff8a80;--good:#6fd0a4;--none:#"
     "8a949f;--paper:#"
     "14181d}"
-    "figure:not(.view){background:#fff;--soft:#5b6470}html "
-    ".warn{background:#3a2c10;--warn:#f2c879}}\n",
+    ":root{--warn:#f2c879}figure:not(.view){background:#fff;--soft:#5b6470}html "
+    ".warn{background:#3a2c10}}\n",
     "*{box-sizing:border-box}\n"
     "html{-webkit-text-size-adjust:100%}\n"
     "body{margin:0;background:var(--paper);color:var(--ink);font:16px/1.55 "
@@ -38,7 +38,8 @@ static const char *const style[] = {
     "dl.key dt{color:var(--soft);font-size:.82rem}\n"
     "dl.key dd{margin:2px 0 "
     "0;font-size:1.18rem;font-weight:600;font-variant-numeric:tabular-nums}\n"
-    "dl.key small{font-weight:400;font-size:.82rem;color:var(--soft)}\n",
+    "dl.key small{font-weight:400;font-size:.82rem;color:var(--soft)}dl.key "
+    "a{display:block;font-weight:400;font-size:.82rem;color:var(--warn)}\n",
     ".scroll{overflow-x:auto;margin:.8rem 0}\n"
     "table{border-collapse:collapse;font-size:.86rem;font-variant-numeric:tabular-nums;min-width:"
     "100%}\n"
@@ -47,7 +48,7 @@ static const char *const style[] = {
     "th,td{padding:6px 12px;text-align:right;border-bottom:1px solid "
     "var(--line);vertical-align:top;"
     "white-space:nowrap}\n"
-    "th{font-weight:600;border-bottom:1.5px solid var(--ink)}\n"
+    "th{font-weight:600;border-bottom:1.5px solid var(--ink);white-space:normal}\n"
     "th small,td small{display:block;font-weight:400;color:var(--soft)}\n"
     "tbody th{border-bottom:1px solid var(--line)}\n"
     "th:first-child,td:first-child,.text{text-align:left}\n"
@@ -87,7 +88,9 @@ static const char *const style[] = {
     "4px}\n"
     ".view .words{margin:8px;min-height:3.2em}.view[data-state=live] "
     ".still,.view[data-state=still] .stage{display:none}"
-    ".view .label[hidden],.view .controls [hidden]{display:none}\n",
+    ".view .label[hidden],.view .controls [hidden],.view[data-state=waiting] .still{display:none}"
+    ".view[data-state=waiting]::before{content:'This view is drawn when it comes into sight.';"
+    "display:block;padding:8px;color:var(--soft)}\n",
     ".band{display:inline-block;width:6em;height:.7em;border:1px solid var(--soft);border-radius:"
     "2px}.band i{display:block;height:100%;background:var(--good)}.band .out{background:var(--bad)}"
     "@media print{.band,.band i{print-color-adjust:exact}}\n",

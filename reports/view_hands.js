@@ -133,7 +133,10 @@ View.prototype.drawNow = function () {
             ((1 - p.y) / 2 * h - 9).toFixed(1) + "px)";
     });
     this.figure.dataset.state = "live";
-    this.figure.dataset.drawn = this.figure.dataset.drawn || performance.now().toFixed(0);
+    // shown when the next frame is asked for, and not yet when the call that draws it is back
+    requestAnimationFrame(() => {
+        this.figure.dataset.drawn = this.figure.dataset.drawn || performance.now().toFixed(0);
+    });
 };
 
 // told to whoever asks how quickly: milliseconds from asking for the page to having it, and to each view
@@ -154,6 +157,7 @@ function beginNear(figures) {
         near.unobserve(s.target);
         begin(s.target);
     }), {rootMargin: margin + "px"});
+    figures.forEach((figure) => figure.dataset.state = "waiting");
     figures.forEach((figure) => isNear(figure) ? begin(figure) : near.observe(figure));
 }
 
