@@ -2,6 +2,7 @@
 #include "base/nearest.h"
 
 #include <limits.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -43,17 +44,36 @@ int nearest_distance(const char *a, const char *b)
     return last[nb];
 }
 
+// one slip in three letters is still a misspelling (one in two for the shortest), more is another
+// word
+static int near_enough(const char *written)
+{
+    return (int)(strlen(written) / 3) + (strlen(written) == 2);
+}
+
 nearest nearest_to(const char *written)
 {
-    // one slip in three letters is still a misspelling (one in two for the shortest), more is
-    // another word
-    const int near_enough = (int)(strlen(written) / 3) + (strlen(written) == 2);
-    return (nearest){.written = written, .distance = near_enough + 1};
+    return (nearest){.written = written, .distance = near_enough(written) + 1};
+}
+
+// three letters or more that a name begins with: whoever stopped there meant it
+static bool begins(const char *written, const char *candidate)
+{
+    const size_t n = strlen(written);
+    for (size_t i = 0; i < n; i++) {
+        if (lower(written[i]) != lower(candidate[i])) {
+            return false;
+        }
+    }
+    return n >= 3;
 }
 
 void nearest_offer(nearest *n, const char *candidate, const char *shown)
 {
-    const int distance = nearest_distance(n->written, candidate);
+    int distance = nearest_distance(n->written, candidate);
+    if (begins(n->written, candidate)) {
+        distance = smaller(distance, near_enough(n->written));
+    }
     if (distance < n->distance) {
         n->distance = distance;
         (void)snprintf(n->best, sizeof n->best, "%s", shown);

@@ -8,7 +8,10 @@
 #include <math.h>
 #include <stdio.h>
 
-static const double side = 28, head = 74, picture_size = 520, bar_width = 150, below = 66;
+// as wide as the other pictures, so that a page that fits all of them to its width has one size of
+// letters: the section, the layers, and what is said of them beside
+static const double side = 28, head = 74, picture_size = 520, bar_width = 150, words_width = 330;
+static const double below = 40;
 // more elements than this are a grey blur
 enum { MOST_ELEMENTS = 60000, MOST_CUTS = 10 };
 
@@ -112,7 +115,8 @@ static status draw(canvas *c, const void *data)
     status st = OK;
     const sheet *s = data;
     const segment_body *b = &s->r->segment.body;
-    const double width = 2 * side + picture_size + bar_width;
+    const double words = side + picture_size + bar_width + 20;
+    const double width = words + words_width + side;
     char text[400];
     double thin = DBL_MAX, thick = 0;
     for (int k = 0; k < b->nlayer; k++) {
@@ -134,7 +138,7 @@ static status draw(canvas *c, const void *data)
             ? " The layers are those of the fields: the solution itself comes from slabs "
               "joined to one another."
             : "");
-    (void)say_paragraph(c, side, head + picture_size + 28, width - 2 * side, LOOK_SMALL, text);
+    (void)say_paragraph(c, words, head + 40, words_width, LOOK_SMALL, text);
 
 done:
     return st;
@@ -153,7 +157,7 @@ status figure_segment_mesh(const run_result *r, const char *dir)
     const picture p = {
         .name = "segment_mesh",
         .title = "The mesh of the segment: the section's elements and the layers along it",
-        .width = 2 * side + picture_size + bar_width,
+        .width = 2 * side + picture_size + bar_width + 20 + words_width,
         .height = head + picture_size + below,
         .draw = draw,
         .data = &s,
