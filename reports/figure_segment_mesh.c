@@ -9,8 +9,8 @@
 #include <stdio.h>
 
 // as wide as the other pictures, so that a page that fits all of them to its width has one size of
-// letters: the section, the layers, and what is said of them beside
-static const double side = 28, head = 74, picture_size = 520, bar_width = 150, words_width = 330;
+// letters: the section, the layers, and what is said of them beside (1000 units)
+static const double side = 28, head = 74, picture_size = 520, bar_width = 150, words_width = 254;
 static const double below = 40;
 // more elements than this are a grey blur
 enum { MOST_ELEMENTS = 60000, MOST_CUTS = 10 };
