@@ -91,6 +91,8 @@ function(tests)
     set(longest verify_segment_fig4_ladder verify_segment_stability verify_tolerance_kept verify_whole_loop verify_brick_orders
         verify_rod_stability verify_tube_scenes docs run_cases voxel fit mpirun scan test_figures test_mutants test_page
         test_edge_layers measured reach reach_report sensitivity)
+    # those that count more than what they test
+    set(counting test_brick test_edge_layers test_morph test_segment_source)
     foreach(kind unit verify)
         file(GLOB files CONFIGURE_DEPENDS tests/${kind}/*/*.c)
         foreach(file ${files})
@@ -104,7 +106,11 @@ function(tests)
             endif()
             add_executable(${name} ${file})
             tested(${name})
-            target_compile_options(${name} PRIVATE $<IF:$<CONFIG:Debug>,-O0,-O1>) # they are built more often than they run
+            set(level $<IF:$<CONFIG:Debug>,-O0,-O1>) # they are built more often than they run
+            if(name IN_LIST counting)
+                set(level -O1)
+            endif()
+            target_compile_options(${name} PRIVATE ${level})
             target_link_libraries(${name} PRIVATE ${room} m)
             add_dependencies(${name} door_hdf5 door_gmsh door_petsc door_gsl door_embree door_nlopt door_mpi)
             add_test(NAME ${kind}/${room}/${name} COMMAND ${name})
@@ -140,7 +146,7 @@ function(tests)
     file(GLOB scripts CONFIGURE_DEPENDS tests/cli/*.sh tests/cross/*.sh tests/*.sh)
     # long, and of the same code as the others: once is enough
     set(numbers blade bodies cases check_format check_layers check_theory design docs failures fit gallery h5py install json
-        mpirun mpirun_design mpirun_ways numbers out package_files published ranks rods run_cases scan_to_fit segment_compare
+        mpirun mpirun_design mpirun_ways numbers out package_files page_browser published ranks rods run_cases scan_to_fit segment_compare
         segment_loads sensitivity verification view voxel vtkhdf)
     foreach(file ${scripts})
         get_filename_component(name ${file} NAME_WE)

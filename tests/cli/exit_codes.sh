@@ -107,8 +107,8 @@ one_line
 expect 4 "$program" rod "$cases/homogeneous_tube.yaml" --set 'rod.tensions_N=[[4.1]]'
 one_line
 
-# 1: the comparison is told, and out of tolerance
-expect 1 "$program" compare "$cases/fig4.yaml" --set fem.order=1 --set fem.layers=2
+# 1: the comparison is told, and out of tolerance (the other programs that it asks have tests of their own)
+expect 1 env PATH="$work/nothing" "$program" compare "$cases/fig4.yaml" --set fem.order=1 --set fem.layers=2
 out 'OUT'
 err 'out of tolerance'
 

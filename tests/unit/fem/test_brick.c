@@ -2,23 +2,33 @@
 // energies and stresses of known strains are exact.
 #include "tests/unit/fem/brick_trial.h"
 
-// what of K u does not vanish for the six rigid motions, and of K - K^T
+// six rigid motions of the layer's nodes: three ways to go and three to turn
+static void rigid_motions(const body *b, int layer, int n3, double u[6][BRICK_MAX_DOFS])
+{
+    for (int i = 0; i < n3 / 3; i++) {
+        vec3 x;
+        element_node(b, layer, i, x.a);
+        for (int j = 0; j < 6; j++) {
+            vec3 e = {0};
+            e.a[j % 3] = 1;
+            const vec3 motion = j < 3 ? e : vec3_cross(e, vec3_scale(1e3, x));
+            memcpy(u[j] + 3 * i, motion.a, sizeof motion.a);
+        }
+    }
+}
+
+// what of K u does not vanish for them, and of K - K^T
 static double worst_rigid(const body *b, int layer)
 {
     int n3;
-    double *K = stiffness(b, layer, &n3), worst = 0;
+    double *K = stiffness(b, layer, &n3), u[6][BRICK_MAX_DOFS], worst = 0;
     const double scale = largest(K, n3 * n3);
+    rigid_motions(b, layer, n3, u);
     for (int r = 0; r < n3; r++) {
         for (int j = 0; j < 6; j++) {
             double sum = 0;
-            for (int i = 0; i < n3 / 3; i++) {
-                vec3 x, e = {0};
-                element_node(b, layer, i, x.a);
-                e.a[j % 3] = 1;
-                const vec3 u = j < 3 ? e : vec3_cross(e, vec3_scale(1e3, x));
-                for (int d = 0; d < 3; d++) {
-                    sum += K[r * n3 + 3 * i + d] * u.a[d];
-                }
+            for (int i = 0; i < n3; i++) {
+                sum += K[r * n3 + i] * u[j][i];
             }
             worst = fmax(worst, fabs(sum) / scale);
         }

@@ -96,16 +96,15 @@ static void thick_parts_take_more_layers(void)
 static bool is_mirrored(const mesh *m, double angle, double tolerance)
 {
     const double c = cos(2 * angle), s = sin(2 * angle);
-    int missing = 0;
-    for (int i = 0; i < m->nnode; i++) {
+    bool found = true;
+    for (int i = 0; i < m->nnode && found; i++) {
         const double *p = m->xyz + 3 * i, x = c * p[0] + s * p[1], y = s * p[0] - c * p[1];
-        bool found = false;
+        found = false;
         for (int k = 0; k < m->nnode && !found; k++) {
             found = fabs(m->xyz[3 * k] - x) + fabs(m->xyz[3 * k + 1] - y) < tolerance;
         }
-        missing += !found;
     }
-    return missing == 0;
+    return found;
 }
 
 static void symmetric_sections_get_symmetric_meshes(void)

@@ -99,8 +99,8 @@ static void numbers_beyond_paper_do_no_harm(void)
 {
     char dir[64];
     scratch_make(dir);
-    static const double values[] = {1e9, 1e308, NAN, 1e160, INFINITY};
-    for (int i = 0; i < (test_is_long() ? 5 : 3); i++) {
+    static const double values[] = {1e308, NAN, 1e9, 1e160, INFINITY};
+    for (int i = 0; i < (test_is_long() ? 5 : 2); i++) {
         run_result r = {0};
         CHECK_OK(synthetic_loaded_make(2, 0.4, -0.5, LOADS, &r));
         r.segment.load[0].displacement[7] = values[i];
@@ -129,7 +129,9 @@ static void a_rerun_gives_the_same_bytes(void)
     char first[64], second[64];
     scratch_make(first);
     scratch_make(second);
-    every_figure_is_written(0, 6, first);
+    if (test_is_long()) {
+        every_figure_is_written(0, 6, first);
+    }
     every_figure_is_written(1, 5, first);
     every_figure_is_written(1, 5, second);
     for (size_t i = 0; i < sizeof names / sizeof *names; i++) {

