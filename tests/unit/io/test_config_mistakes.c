@@ -262,8 +262,7 @@ static void a_file_that_cannot_be_read_is_named(void)
 {
     static const char *const wrong[][2] = {
         {"/tmp", "/tmp: error: this is a directory, not a case file"},
-        {"/nowhere/case.yaml",
-         "/nowhere/case.yaml: error: cannot open: No such file or directory"},
+        {"/nowhere/case.yaml", "/nowhere/case.yaml: error: cannot open: No such file or directory"},
     };
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
         config *cfg = NULL;
