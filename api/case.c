@@ -30,31 +30,33 @@ done:
     return st;
 }
 
+static int open_in_turn(const case_request *request, stiffaxis_case **out)
+{
+    turn_begin();
+    const status st = open_case(request, out);
+    turn_end();
+    return (int)st;
+}
+
 int stiffaxis_case_open(const char *path, int nsetting, const char *const *settings,
                         int allow_scripts, stiffaxis_case **out)
 {
-    turn_begin();
-    const status st = open_case(&(case_request){.path = path,
-                                                .noverride = nsetting,
-                                                .overrides = settings,
-                                                .allow_scripts = allow_scripts},
-                                out);
-    turn_end();
-    return (int)st;
+    return open_in_turn(&(case_request){.path = path,
+                                        .noverride = nsetting,
+                                        .overrides = settings,
+                                        .allow_scripts = allow_scripts},
+                        out);
 }
 
 int stiffaxis_case_read(const char *text, const char *name, int nsetting,
                         const char *const *settings, int allow_scripts, stiffaxis_case **out)
 {
-    turn_begin();
-    const status st = open_case(&(case_request){.path = name,
-                                                .text = text,
-                                                .noverride = nsetting,
-                                                .overrides = settings,
-                                                .allow_scripts = allow_scripts},
-                                out);
-    turn_end();
-    return (int)st;
+    return open_in_turn(&(case_request){.path = name,
+                                        .text = text,
+                                        .noverride = nsetting,
+                                        .overrides = settings,
+                                        .allow_scripts = allow_scripts},
+                        out);
 }
 
 void stiffaxis_case_free(stiffaxis_case *c)
