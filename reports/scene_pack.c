@@ -26,28 +26,26 @@ static uint16_t step_of(const scene *s, double x, int d)
     return step > 0 ? (step < UINT16_MAX ? (uint16_t)step : UINT16_MAX) : 0;
 }
 
+// st: of what filled the text, which is freed
+static status put_text(scene *s, const char *key, bytes *text, status st)
+{
+    if (st == OK) {
+        json_text(s->j, key, text->data ? text->data : "");
+    }
+    bytes_free(text);
+    return st;
+}
+
 status scene_put_bytes(scene *s, const char *key, const void *data, size_t count)
 {
-    status st = OK;
     bytes text = {0};
-    TRY(base64_append(&text, data, count));
-    json_text(s->j, key, text.data ? text.data : "");
-
-done:
-    bytes_free(&text);
-    return st;
+    return put_text(s, key, &text, base64_append(&text, data, count));
 }
 
 status scene_put_words(scene *s, const char *key, size_t n, const uint16_t *word)
 {
-    status st = OK;
     bytes text = {0};
-    TRY(base64_append_words(&text, word, n));
-    json_text(s->j, key, text.data ? text.data : "");
-
-done:
-    bytes_free(&text);
-    return st;
+    return put_text(s, key, &text, base64_append_words(&text, word, n));
 }
 
 status scene_put_places(scene *s, const char *key, int n, const double (*point)[3])
